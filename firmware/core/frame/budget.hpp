@@ -1,0 +1,25 @@
+// The capacities of one application: the only place where memory is decided.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pixel_format.hpp"
+
+namespace spanline {
+
+struct Budget {
+  std::uint16_t width = 320;   // px
+  std::uint16_t height = 240;  // px
+  PixelFormat format = PixelFormat::rgb565;
+  std::uint16_t band_lines = 0;  // longest band, lines; 0: the whole height
+  std::uint16_t facets = 512;    // facets of a band that wait for their first line: 4 bytes each
+  std::uint16_t vertices = 576;  // projected vertices kept; the rest are projected again at each use: 8 bytes each
+  std::uint16_t polygons = 64;   // facets alive on one line
+  std::uint16_t edges = 48;      // edges of those that wait for their first line
+  std::uint16_t segments = 64;   // segments alive on one line
+  std::uint16_t samples = 64;    // sample points kept for the next line (a hint: dropped when full)
+  std::uint16_t implied = 16;    // implied edges kept (a hint)
+  bool gouraud = true;           // room for colour ramps: 24 bytes a segment, 12 a waiting edge
+};
+
+}  // namespace spanline

@@ -1,0 +1,93 @@
+// A frame: a scene seen by a camera, made line by line. This is the engine's front door.
+#pragma once
+
+#include "core/frame/storage.hpp"
+#include "core/geom/camera.hpp"
+#include "core/shade/light.hpp"
+#include "core/shade/painter.hpp"
+
+namespace spanline {
+
+// A run of scan lines, [top, bottom).
+struct Band {
+  std::uint16_t top = 0, bottom = 0;
+  constexpr bool empty() const { return top >= bottom; }
+  constexpr std::uint16_t lines() const { return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top); }
+  friend constexpr bool operator==(const Band&, const Band&) = default;
+};
+
+using FrameOptions = VsgOptions;
+
+// Sees every visible span before it is painted; for tools (VsgOptions::taps).
+struct SpanTap {
+  void* context = nullptr;
+  void (*span)(void* context, const VisibleSpan& span) = nullptr;
+};
+
+template <FrameOptions kOptions = FrameOptions{}>
+class Frame {
+ public:
+  // `storage` is used until the Frame is gone; nothing else may touch it meanwhile.
+  explicit Frame(const FrameStorage& storage);
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  // Makes ready the longest run of lines from rest.top on whose waiting facets fit their pool, at most `rest`, and returns it.
+  // Scene, and what its records point to, must stay as they are until the band is finished; between bands of one frame too.
+  // A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a status, where rest or the camera
+  // is out of range.
+  Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
+
+  // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte boundary
+  // (else status bad_argument and false). False, and nothing written, when the band is finished.
+  bool next_line(Slice<std::uint8_t> out);
+
+  std::uint32_t line_bytes() const { return painter_.line_bytes(); }
+
+  // Of the frame so far: what went wrong first. pool_exhausted means that a line needed more blocks than a pool has: the
+  // picture then lacks the highest face numbers there, from that line to the end of its band.
+  const Status& status() const { return status_; }
+
+  // For VsgOptions::statistics only.
+  const Statistics& statistics()
+    requires(kOptions.statistics)
+  {
+    Statistics& s = vsg_.statistics();
+    s.bands = bands_;
+    s.max_facets = most_facets_;
+    s.max_vertices = vertices_;
+    return s;
+  }
+  void set_tap(const SpanTap& tap) { tap_ = tap; }
+
+ private:
+  struct Sink;
+
+  bool same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const;
+  std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
+  bool file_facets(std::uint16_t top, std::uint16_t bottom);
+  bool file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
+  bool begin_facets(std::uint16_t line);
+  Room begin_facet(std::uint16_t face, std::uint16_t line);
+  const LightRig& lights();
+  void note(const Status& status) {
+    if (status_.ok()) status_ = status;
+  }
+
+  FrameStorage storage_;
+  SceneView scene_;
+  CameraRecord camera_{};
+  FacetReader reader_;
+  LightRig lights_;
+  std::uint32_t lit_instance_ = UINT32_MAX;
+  VisibleSegments<kOptions> vsg_;
+  Painter painter_;
+  [[no_unique_address]] SpanTap tap_;
+  Status status_;
+  Band band_;                  // the one that prepare() returned; top: the next line
+  std::uint16_t planned_ = 0;  // end of the run of lines whose facets are filed
+  std::uint16_t height_ = 0;   // lines of the run planned last: where the next plan begins
+  std::uint16_t bands_ = 0, most_facets_ = 0, vertices_ = 0;
+};
+
+}  // namespace spanline

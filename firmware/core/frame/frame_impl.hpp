@@ -1,0 +1,168 @@
+// The body of Frame; include it only where a Frame with options of one's own is instantiated.
+#pragma once
+
+#include "core/frame/frame.hpp"
+
+namespace spanline {
+
+template <FrameOptions kOptions>
+struct Frame<kOptions>::Sink {
+  Painter& painter;
+  const SpanTap& tap;
+  void span(const VisibleSpan& s) {
+    if constexpr (kOptions.taps) {
+      if (tap.span != nullptr) tap.span(tap.context, s);
+    }
+    painter.span(s);
+  }
+};
+
+template <FrameOptions kOptions>
+Frame<kOptions>::Frame(const FrameStorage& storage)
+    : storage_(storage), vsg_(storage.vsg, storage.screen, &reader_), painter_(storage.screen), height_(storage.screen.height) {}
+
+template <FrameOptions kOptions>
+bool Frame<kOptions>::same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const {
+  return rest.top != 0 && rest.top == band_.bottom && &scene.scene() == &scene_.scene() && camera == camera_;
+}
+
+template <FrameOptions kOptions>
+Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
+  const bool again = same_frame(scene, camera, rest);
+  if (rest.top == 0) {
+    status_ = {};
+    vsg_.clear_status();
+    if constexpr (kOptions.statistics) vsg_.clear_statistics();
+    bands_ = most_facets_ = 0;
+  }
+  band_ = {};
+  if (rest.empty() || rest.bottom > storage_.screen.height) {
+    note({Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, storage_.screen.height});
+    return {};
+  }
+  const Status status = check_camera(camera);
+  if (!status.ok()) {
+    note(status);
+    return {};
+  }
+  if (!again) {
+    scene_ = scene;
+    camera_ = camera;
+    lit_instance_ = UINT32_MAX;
+    reader_ = FacetReader(scene_, camera_, storage_.screen, storage_.vertices);
+    vertices_ = reader_.fill_cache();
+  }
+  band_ = {rest.top, plan(rest.top, rest.bottom)};
+  return band_;
+}
+
+// Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The run planned last, and twice
+// that, is where the search begins.
+template <FrameOptions kOptions>
+std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
+  std::uint32_t lines = static_cast<std::uint32_t>(bottom - top);
+  if (lines > 2u * height_) lines = 2u * height_;
+  if (lines > storage_.buckets.capacity()) lines = storage_.buckets.capacity();
+  while (!file_facets(top, static_cast<std::uint16_t>(top + lines))) lines /= 2;
+  height_ = static_cast<std::uint16_t>(lines);
+  planned_ = static_cast<std::uint16_t>(top + lines);
+  vsg_.begin_band(planned_);
+  ++bands_;
+  return planned_;
+}
+
+// False where the waiting facets do not fit and the band has lines to give up.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
+  for (std::uint16_t i = 1; i <= bottom - top; ++i) storage_.buckets[i] = 0;
+  std::uint16_t count = 0;
+  std::uint32_t refused = 0;
+  for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
+    if (file_facet(face, top, bottom, count)) continue;
+    if (bottom - top > 1) return false;
+    ++refused;
+  }
+  if (refused != 0) {
+    const std::uint16_t capacity = storage_.facets.capacity();
+    note({Code::pool_exhausted, "facets", "", 0, top, capacity + refused, capacity});
+    if constexpr (kOptions.statistics) vsg_.statistics().facets_left_out += refused;
+  }
+  if (count > most_facets_) most_facets_ = count;
+  return true;
+}
+
+template <FrameOptions kOptions>
+bool Frame<kOptions>::file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count) {
+  reader_.select(face);
+  const FacetExtent extent = reader_.extent();
+  if (extent.empty() || extent.end_line <= top || extent.first_line >= bottom) return true;
+  if (extent.right <= 0 || extent.left >= storage_.screen.width) return true;
+  if (count == storage_.facets.capacity()) return false;
+  const std::int32_t first = extent.first_line > top ? extent.first_line : top;
+  std::uint16_t& bucket = storage_.buckets[static_cast<std::size_t>(first - top + 1)];
+  storage_.facets[++count] = {bucket, face};
+  bucket = count;
+  return true;
+}
+
+template <FrameOptions kOptions>
+bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
+  if (band_.empty()) return false;
+  if (out.size() < line_bytes() || reinterpret_cast<std::uintptr_t>(out.data()) % 4 != 0) {
+    note({Code::bad_argument, "line", out.size() < line_bytes() ? "size" : "alignment", 0, band_.top, out.size(), line_bytes()});
+    return false;
+  }
+  const std::uint16_t line = band_.top;
+  if (line == planned_) plan(line, band_.bottom);
+  // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files none.
+  while (!begin_facets(line)) {
+    height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
+    plan(line, static_cast<std::uint16_t>(line + (planned_ - line) / 2));
+  }
+  painter_.begin_line(line, out.data(), scene_.scene().background);
+  Sink sink{painter_, tap_};
+  vsg_.run(line, sink);
+  note(vsg_.status());
+  ++band_.top;
+  return true;
+}
+
+// Puts in the facets whose first line this is. False where the edge pool is full.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::begin_facets(std::uint16_t line) {
+  const std::size_t bucket = static_cast<std::size_t>(line - (planned_ - height_) + 1);
+  for (std::uint16_t at = storage_.buckets[bucket]; at != 0; at = storage_.facets[at].next) {
+    if (begin_facet(storage_.facets[at].face, line) == Room::no_edges) return false;
+  }
+  return true;
+}
+
+template <FrameOptions kOptions>
+Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
+  reader_.select(face);
+  const MeshRecord& mesh = reader_.mesh();
+  const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+  const bool flip = two_sided && !reader_.extent().front;
+  if (material.shading == MaterialRecord::kGouraud) {
+    const LightRig& rig = lights();
+    const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };
+    return vsg_.add(face, line, {0, true}, colour);
+  }
+  Rgb8 color = material.color;
+  if (material.shading == MaterialRecord::kFlat) {
+    color = lights().shade(mesh.face_normals[reader_.face().mesh_face], material, flip);
+  }
+  return vsg_.add(face, line, {flat_payload(storage_.screen.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
+}
+
+template <FrameOptions kOptions>
+const LightRig& Frame<kOptions>::lights() {
+  if (lit_instance_ != reader_.instance_index()) {
+    lit_instance_ = reader_.instance_index();
+    lights_ = LightRig(scene_.scene(), reader_.instance().transform);
+  }
+  return lights_;
+}
+
+}  // namespace spanline

@@ -1,0 +1,55 @@
+// FrameMemory: the only storage of a frame, sized by its budget.
+#pragma once
+
+#include "core/frame/budget.hpp"
+#include "core/vsg/visible_segments.hpp"
+
+namespace spanline {
+
+// A facet that waits for its first line in a Y-bucket.
+struct WaitingFacet {
+  std::uint16_t next;
+  std::uint16_t face;
+};
+
+// A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long as a
+// line fits.
+struct FrameStorage {
+  Screen screen;
+  PoolRef<WaitingFacet> facets;
+  PoolRef<std::uint16_t> buckets;  // one a line; its capacity is the longest band
+  PoolRef<ScreenPoint> vertices;
+  VsgStorage vsg;
+};
+
+template <Budget kBudget>
+class FrameMemory {
+  static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
+  static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
+  static_assert(kBudget.facets > 0 && kBudget.polygons > 0 && kBudget.segments > 0, "these pools cannot be empty");
+  static constexpr std::uint16_t kBandLines = kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines;
+
+ public:
+  FrameStorage storage() {
+    return {{kBudget.width, kBudget.height, kBudget.format},
+            facets_.ref(),
+            buckets_.ref(),
+            vertices_.ref(),
+            {polygons_.ref(), edges_.ref(), segments_.ref(), shades_.ref(), active_.ref(), {samples_[0].ref(), samples_[1].ref()},
+             implied_.ref(), nullptr}};
+  }
+
+ private:
+  Pool<WaitingFacet, kBudget.facets> facets_;
+  Pool<std::uint16_t, kBandLines> buckets_;
+  Pool<ScreenPoint, kBudget.vertices> vertices_;
+  Pool<PolygonBlock, kBudget.polygons> polygons_;
+  Pool<EdgeBlock, kBudget.edges> edges_;
+  Pool<SegmentBlock, kBudget.segments> segments_;
+  Pool<SegmentShade, kBudget.gouraud ? kBudget.segments : 0> shades_;
+  Pool<ActiveSegment, kBudget.segments> active_;
+  Pool<std::int16_t, kBudget.samples> samples_[2];
+  Pool<ImpliedEdge, kBudget.implied> implied_;
+};
+
+}  // namespace spanline

@@ -1,0 +1,150 @@
+// Facets: the faces of a scene as polygons on the screen, read from the records in place. This is what the visible segment
+// generator consumes, and the hook that the tests' oracle starts from.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pool.hpp"
+#include "core/geom/clip.hpp"
+#include "core/geom/projection.hpp"
+#include "core/scene/scene_view.hpp"
+
+namespace spanline {
+
+// A corner of a facet after projection and clipping.
+struct FacetVertex {
+  ScreenXY at;          // 28.4 px
+  std::uint32_t depth;  // Q16.8, larger is nearer
+  Rgb8 color;           // what the reader's colour function gave
+};
+
+// Where a face's records lie.
+struct FaceRef {
+  Slice<const std::uint16_t> corners;
+  Slice<const std::uint16_t> contours;  // ring lengths; empty: one ring
+  std::uint16_t mesh_face = 0;
+  std::uint16_t material = 0;
+};
+
+// What the first look at a facet yields.
+struct FacetExtent {
+  std::int32_t first_line = 0;  // of the screen, not clipped to it
+  std::int32_t end_line = 0;    // one past the last
+  std::int32_t left = 0;        // first column that can be covered
+  std::int32_t right = 0;       // one past the last
+  bool front = true;            // counter-clockwise in the world
+  bool empty() const { return first_line >= end_line || left >= right; }
+};
+
+// Reads faces by number. Keeps the matrices of the instance that was read last, so reading in order is cheap.
+class FacetReader {
+ public:
+  FacetReader() = default;
+  // `cache` may hold fewer vertices than the scene; the rest are projected at each use.
+  FacetReader(const SceneView& scene, const CameraRecord& camera, const Screen& screen, PoolRef<ScreenPoint> cache);
+
+  // Projects the vertices that the cache holds. Returns how many.
+  std::uint16_t fill_cache();
+
+  // Makes `face` (below SceneView::face_count) current.
+  void select(std::uint16_t face);
+  const FaceRef& face() const { return face_; }
+  const InstanceRecord& instance() const { return scene_->instances[instance_]; }
+  std::uint16_t instance_index() const { return instance_; }
+  const MeshRecord& mesh() const { return scene_->meshes[instance().mesh]; }
+  bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
+
+  // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
+  bool clipped() const {
+    for (const std::uint16_t corner : face_.corners) {
+      if (point(corner).outcode != 0) return true;
+    }
+    return false;
+  }
+
+  // Extent and facing of the current face after clipping; an empty extent where nothing of it can be seen.
+  FacetExtent extent();
+
+  // Hands the current face's contours to the sink after clipping: begin_contour(), vertex(const FacetVertex&) in order,
+  // end_contour(). `colour` maps a position index to the Rgb8 of that corner; clipped corners get what lies between.
+  template <typename Colour, typename Sink>
+  void read(const Colour& colour, Sink& sink);
+
+ private:
+  template <typename Colour, typename Sink>
+  class Projector;
+
+  void enter_instance(std::uint16_t instance, std::uint16_t first_face, std::uint16_t first_vertex);
+  void locate(std::uint16_t mesh_face);
+  ClipPoint clip_point(std::uint16_t vertex) const { return matrix_(mesh().positions[vertex]); }
+  ScreenPoint compute(std::uint16_t vertex) const;
+  ScreenPoint point(std::uint16_t vertex) const {
+    const std::uint32_t global = std::uint32_t{first_vertex_} + vertex;
+    return global < cached_ ? cache_[global + 1] : compute(vertex);
+  }
+
+  const SceneRecord* scene_ = nullptr;
+  const SceneView* view_ = nullptr;
+  const CameraRecord* camera_ = nullptr;
+  Projection projection_{CameraRecord{}, Screen{}};
+  PoolRef<ScreenPoint> cache_;
+  std::uint32_t cached_ = 0;
+  ClipMatrix matrix_{};
+  std::uint16_t instance_ = 0;
+  std::uint16_t first_face_ = 0;    // of the current instance, over the scene
+  std::uint16_t first_vertex_ = 0;  // likewise
+  std::uint16_t group_ = 0;
+  FaceRef face_;
+};
+
+// The last stage of clipping: projects and hands on.
+template <typename Colour, typename Sink>
+class FacetReader::Projector {
+ public:
+  Projector(const Projection& projection, Sink& sink) : projection_(projection), sink_(sink) {}
+  void vertex(const ClipVertex& v) {
+    ClipPoint p = v.at;  // rounding may leave a clipped point a unit outside
+    const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) { return x < low ? low : x > high ? high : x; };
+    p.w = clamp(p.w, projection_.near_w, projection_.far_w);
+    p.x = clamp(p.x, -p.w, p.w);
+    p.y = clamp(p.y, -p.w, p.w);
+    const ScreenPoint s = projection_(p);
+    sink_.vertex({s.at, s.depth, v.color});
+  }
+
+ private:
+  const Projection& projection_;
+  Sink& sink_;
+};
+
+template <typename Colour, typename Sink>
+void FacetReader::read(const Colour& colour, Sink& sink) {
+  std::uint8_t any = 0, all = 0xff;
+  for (const std::uint16_t corner : face_.corners) {
+    const auto code = static_cast<std::uint8_t>(point(corner).outcode);
+    any |= code;
+    all &= code;
+  }
+  if (all != 0) return;  // wholly outside one plane
+  Projector<Colour, Sink> projector(projection_, sink);
+  ContourClipper<Projector<Colour, Sink>> clipper(projection_, any, projector);
+  const std::uint32_t rings = face_.contours.empty() ? 1 : face_.contours.size();
+  std::uint32_t next = 0;
+  for (std::uint32_t ring = 0; ring < rings; ++ring) {
+    const std::uint32_t end = face_.contours.empty() ? face_.corners.size() : next + face_.contours[ring];
+    sink.begin_contour();
+    for (; next < end; ++next) {
+      const std::uint16_t corner = face_.corners[next];
+      if (any == 0) {
+        const ScreenPoint p = point(corner);
+        sink.vertex({p.at, p.depth, colour(corner)});
+      } else {
+        clipper.vertex({clip_point(corner), colour(corner)});
+      }
+    }
+    if (any != 0) clipper.finish();
+    sink.end_contour();
+  }
+}
+
+}  // namespace spanline

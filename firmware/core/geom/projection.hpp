@@ -1,0 +1,103 @@
+// From mesh units to the screen: composed matrices, clip space, projection.
+//
+// Clip space is chosen so that |x| <= w, |y| <= w is the guard band: kGuardPx pixels to each side of the screen's centre, wider
+// than any screen. Depth is near / w, linear across the screen, as Q16.8: 65535.99 at the near plane, larger is nearer. Its
+// resolution is 2^-24 of near^-1: two surfaces at distance d stay apart when they are d * d / near * 2^-24 apart.
+#pragma once
+
+#include <cstdint>
+
+#include "core/fx/bits.hpp"
+#include "core/fx/reciprocal.hpp"
+#include "core/geom/screen.hpp"
+#include "core/scene/format.hpp"
+
+namespace spanline {
+
+inline constexpr std::int32_t kGuardPx = 1024;
+static_assert(kMaxExtent / 2 < kGuardPx, "the guard band holds every screen");
+static_assert((kMaxExtent / 2 + kGuardPx) * kSubpixels <= INT16_MAX, "a clipped vertex fits 28.4 in 16 bits");
+inline constexpr int kDepthBits = 24;  // Q16.8
+
+// A point in clip space: x right, y down, w the distance along the view direction; Q16.16, x and y in units of the guard band.
+struct ClipPoint {
+  std::int32_t x, y, w;
+};
+
+// Which planes a point lies outside of.
+struct Outcode {
+  enum : std::uint8_t { kNear = 1, kFar = 2, kLeft = 4, kRight = 8, kTop = 16, kBottom = 32 };
+};
+
+// A projected vertex as it is cached: 8 bytes.
+struct ScreenPoint {
+  ScreenXY at;                // valid where outcode is 0
+  std::uint32_t depth : 24;   // Q16.8
+  std::uint32_t outcode : 8;  // Outcode bits
+};
+static_assert(sizeof(ScreenPoint) == 8);
+
+// Mesh units to clip space: clip = (linear * position) + offset.
+struct ClipMatrix {
+  std::int32_t linear[3][3];  // Q1.31 world units a mesh unit, rows x, y (scaled by the focal length) and w
+  std::int32_t offset[3];     // Q16.16
+  bool mirrored;              // the instance's transform turns fronts into clockwise
+
+  ClipPoint operator()(const Position& p) const {
+    std::int32_t v[3];
+    for (int row = 0; row < 3; ++row) {
+      const std::int64_t sum = std::int64_t{linear[row][0]} * p.x + std::int64_t{linear[row][1]} * p.y +
+                               std::int64_t{linear[row][2]} * p.z;  // Q17.31
+      v[row] = saturate32(shift_round(sum, 15) + offset[row]);
+    }
+    return {v[0], v[1], v[2]};
+  }
+};
+
+// Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them in.
+ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh);
+
+// What the projection needs beside the matrix.
+struct Projection {
+  std::int32_t near_w;     // Q16.16
+  std::int32_t far_w;      // Q16.16
+  std::int32_t centre_x;   // 28.4 px
+  std::int32_t centre_y;
+
+  Projection(const CameraRecord& camera, const Screen& screen)
+      : near_w(camera.near_plane.raw),
+        far_w(camera.far_plane.raw),
+        centre_x(screen.width * (kSubpixels / 2)),
+        centre_y(screen.height * (kSubpixels / 2)) {}
+
+  std::uint8_t outcode(const ClipPoint& p) const {
+    std::uint8_t code = 0;
+    if (p.w < near_w) code |= Outcode::kNear;
+    if (p.w > far_w) code |= Outcode::kFar;
+    if (p.x < -p.w) code |= Outcode::kLeft;
+    if (p.x > p.w) code |= Outcode::kRight;
+    if (p.y < -p.w) code |= Outcode::kTop;
+    if (p.y > p.w) code |= Outcode::kBottom;
+    return code;
+  }
+
+  // Projects a point inside all planes (outcode 0): each coordinate is the nearest 1/16 px to the exact quotient or, by the
+  // rounding of the matrix, its neighbour.
+  ScreenPoint operator()(const ClipPoint& p) const {
+    const int up = std::countl_zero(static_cast<std::uint32_t>(p.w)) - 1;
+    const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(p.w) << up));
+    const auto scaled = [&](std::int32_t v) {  // v / w * 2^14: 2^14 units of 28.4 are kGuardPx
+      return shift_round(mul_high(v * (1 << up), inverse), 15);
+    };
+    static_assert(kGuardPx * kSubpixels == 1 << 14);
+    const std::int32_t depth = mul_high(near_w << up, inverse) >> (29 - kDepthBits);
+    constexpr std::int32_t kNearest = (1 << kDepthBits) - 1;
+    ScreenPoint out;
+    out.at = {static_cast<std::int16_t>(centre_x + scaled(p.x)), static_cast<std::int16_t>(centre_y + scaled(p.y))};
+    out.depth = static_cast<std::uint32_t>(depth < kNearest ? depth : kNearest) & 0xffffffu;
+    out.outcode = 0;
+    return out;
+  }
+};
+
+}  // namespace spanline

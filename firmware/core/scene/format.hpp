@@ -1,0 +1,137 @@
+// The flash records: plain data that the scene compiler writes as constexpr tables and the simulator builds in memory. One
+// layout, one source. Nothing here is trusted before SceneView has validated it.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/slice.hpp"
+#include "core/fx/fixed.hpp"
+
+namespace spanline {
+
+inline constexpr std::uint32_t kMaxSceneFaces = 65535;     // face numbers are 16 bits, 65535 means none
+inline constexpr std::uint32_t kMaxSceneVertices = 65535;  // over all instances
+inline constexpr std::uint32_t kMaxLights = 4;
+inline constexpr std::int32_t kMaxWorld = 4096;  // |world coordinate| in units: leaves 3 bits of head-room in Q16.16
+
+// A mesh vertex in mesh units (see MeshRecord::unit). On the screen (InstanceRecord::kScreen) x and y are 1/16 px, y down,
+// and z is the depth less 32768 (larger is nearer).
+struct Position {
+  std::int16_t x, y, z;
+};
+
+// A unit normal, 10 bits a component, each Q1.9 in -511 … 511, packed x | y << 10 | z << 20.
+struct Normal10 {
+  std::uint32_t packed;
+
+  static constexpr Normal10 pack(int x, int y, int z) {
+    return {(static_cast<std::uint32_t>(x) & 1023u) | (static_cast<std::uint32_t>(y) & 1023u) << 10 |
+            (static_cast<std::uint32_t>(z) & 1023u) << 20};
+  }
+  constexpr std::int32_t x() const { return component(22); }
+  constexpr std::int32_t y() const { return component(12); }
+  constexpr std::int32_t z() const { return component(2); }
+
+ private:
+  constexpr std::int32_t component(int up) const { return static_cast<std::int32_t>(packed << up) >> 22; }
+};
+
+struct Rgb8 {
+  std::uint8_t r, g, b;
+  friend constexpr bool operator==(const Rgb8&, const Rgb8&) = default;
+};
+
+struct MaterialRecord {
+  enum Shading : std::uint8_t { kFlat, kGouraud, kUnlit };
+  Rgb8 color;
+  Shading shading = kFlat;
+};
+
+// A run of faces that look alike: the same number of corners, contours and the same material.
+// Face i of the run (i < face_count) has the mesh's face number first_face + i and the corners
+// [first_corner + i * corners_per_face, + corners_per_face) of MeshRecord::corners. With contour_count > 1 the corners are
+// several rings in a row whose lengths stand in MeshRecord::contours from first_contour on (each at least 3; they add up to
+// corners_per_face, else the contour is unclosed and the record is refused). Filling is even-odd, so holes need no direction.
+struct FaceGroup {
+  std::uint32_t first_corner;
+  std::uint16_t first_face;
+  std::uint16_t face_count;
+  std::uint16_t corners_per_face;
+  std::uint16_t first_contour;
+  std::uint16_t contour_count;  // 1: a single ring, first_contour is not used
+  std::uint16_t material;       // index into SceneRecord::materials
+};
+
+// Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31 world
+// units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count.
+struct MeshRecord {
+  const char* name;
+  Slice<const Position> positions;
+  Slice<const Normal10> vertex_normals;  // one a position, or empty (then Gouraud materials are refused)
+  Slice<const Normal10> face_normals;    // one a face, or empty (then only unlit materials are allowed)
+  Slice<const std::uint16_t> corners;    // indices into positions
+  Slice<const std::uint16_t> contours;   // ring lengths of faces with holes
+  Slice<const FaceGroup> groups;
+  std::uint16_t face_count;
+  Fx16 origin[3];
+  std::int32_t unit;  // Q1.31, > 0
+};
+
+// World = matrix * mesh + translation. Rows of the matrix are x, y, z; Q16.16.
+struct Transform {
+  Fx16 matrix[3][3];
+  Fx16 translation[3];
+
+  static constexpr Transform identity() {
+    const Fx16 one = Fx16::from_int(1);
+    return {{{one, {}, {}}, {{}, one, {}}, {{}, {}, one}}, {}};
+  }
+};
+
+struct InstanceRecord {
+  enum Flags : std::uint16_t {
+    kNone = 0,
+    kTwoSided = 1,  // no back-face culling; normals turn to the viewer
+    kScreen = 2,    // positions are on the screen already: no transform, no camera, no culling, no light
+    kHidden = 4,    // not drawn; its faces keep their numbers
+  };
+  static constexpr std::uint16_t kOwnMaterials = 0xffff;
+  std::uint16_t mesh;
+  std::uint16_t flags = kNone;
+  std::uint16_t material = kOwnMaterials;  // replaces every material of the mesh, kOwnMaterials keeps them
+  Transform transform = Transform::identity();
+};
+
+// A directional light. Intensities are Q8.8 a channel, 256 = full.
+struct LightRecord {
+  Fx30 direction[3];  // unit vector, the way the light travels, in the world
+  std::uint16_t intensity[3];
+};
+
+struct BackgroundRecord {
+  Rgb8 top;
+  Rgb8 bottom;  // the same as top: one colour; otherwise a vertical gradient over the screen's height
+};
+
+// Everything that does not move with the viewer. Faces are numbered through the instances in order.
+struct SceneRecord {
+  Slice<const MeshRecord> meshes;
+  Slice<const InstanceRecord> instances;
+  Slice<const MaterialRecord> materials;
+  Slice<const LightRecord> lights;
+  std::uint16_t ambient[3];  // Q8.8 a channel
+  BackgroundRecord background;
+};
+
+// The viewer: right-handed, +Y up, looking along -Z of its own frame.
+struct CameraRecord {
+  Fx16 eye[3];
+  Fx30 axes[3][3];         // rows: right, up, back; orthonormal
+  Fx12 focal;              // Q20.12 px: distance of the picture plane in pixels, = height / 2 / tan(fov / 2)
+  Fx16 near_plane;         // > 0; depth is near_plane / distance
+  Fx16 far_plane;          // > near_plane
+
+  friend constexpr bool operator==(const CameraRecord&, const CameraRecord&) = default;
+};
+
+}  // namespace spanline

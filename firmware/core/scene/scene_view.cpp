@@ -1,0 +1,136 @@
+#include "core/scene/scene_view.hpp"
+
+namespace spanline {
+
+namespace {
+
+constexpr Status bad(const char* record, const char* field, std::uint32_t index, std::uint32_t value = 0, std::uint32_t limit = 0) {
+  return {Code::bad_record, record, field, index, 0, value, limit};
+}
+
+bool within_world(Fx16 c) { return c <= Fx16::from_int(kMaxWorld) && c >= Fx16::from_int(-kMaxWorld); }
+
+Status check_rings(const MeshRecord& mesh, const FaceGroup& group, std::uint32_t g) {
+  if (group.contour_count == 0) return bad("FaceGroup", "contour_count", g);
+  if (group.contour_count == 1) return {};
+  const std::uint32_t end = std::uint32_t{group.first_contour} + group.contour_count;
+  if (end > mesh.contours.size()) return bad("FaceGroup", "first_contour", g, end, mesh.contours.size());
+  std::uint32_t sum = 0;
+  for (std::uint32_t i = group.first_contour; i < end; ++i) {
+    if (mesh.contours[i] < 3) return bad("FaceGroup", "contours", g, mesh.contours[i], 3);
+    sum += mesh.contours[i];
+  }
+  // Rings that do not add up leave a contour unclosed.
+  return sum == group.corners_per_face ? Status{} : bad("FaceGroup", "contours (unclosed)", g, sum, group.corners_per_face);
+}
+
+Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t g, std::uint32_t first_face) {
+  const FaceGroup& group = mesh.groups[g];
+  if (group.first_face != first_face) return bad("FaceGroup", "first_face", g, group.first_face, first_face);
+  if (group.face_count == 0) return bad("FaceGroup", "face_count", g);
+  if (group.corners_per_face < 3) return bad("FaceGroup", "corners_per_face", g, group.corners_per_face, 3);
+  const std::uint64_t end = group.first_corner + std::uint64_t{group.face_count} * group.corners_per_face;
+  if (end > mesh.corners.size()) return bad("FaceGroup", "first_corner", g, group.first_corner, mesh.corners.size());
+  if (group.material >= scene.materials.size()) return bad("FaceGroup", "material", g, group.material, scene.materials.size());
+  return check_rings(mesh, group, g);
+}
+
+// What a mesh's normals allow as materials.
+Status check_material(const MeshRecord& mesh, const MaterialRecord& material, const char* record, std::uint32_t index) {
+  const bool normals = material.shading == MaterialRecord::kUnlit ||
+                       !(material.shading == MaterialRecord::kGouraud ? mesh.vertex_normals : mesh.face_normals).empty();
+  return normals ? Status{} : bad(record, "material (no normals)", index);
+}
+
+Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
+  const MeshRecord& mesh = scene.meshes[index];
+  if (mesh.positions.empty() || mesh.positions.size() > kMaxSceneVertices) {
+    return bad("MeshRecord", "positions", index, mesh.positions.size(), kMaxSceneVertices);
+  }
+  if (!mesh.vertex_normals.empty() && mesh.vertex_normals.size() != mesh.positions.size()) {
+    return bad("MeshRecord", "vertex_normals", index, mesh.vertex_normals.size(), mesh.positions.size());
+  }
+  if (!mesh.face_normals.empty() && mesh.face_normals.size() != mesh.face_count) {
+    return bad("MeshRecord", "face_normals", index, mesh.face_normals.size(), mesh.face_count);
+  }
+  for (const std::uint16_t corner : mesh.corners) {
+    if (corner >= mesh.positions.size()) return bad("MeshRecord", "corners", index, corner, mesh.positions.size());
+  }
+  if (mesh.unit <= 0) return bad("MeshRecord", "unit", index);
+  for (const Fx16 c : mesh.origin) {
+    if (!within_world(c)) return bad("MeshRecord", "origin", index);
+  }
+  std::uint32_t faces = 0;
+  for (std::uint32_t g = 0; g < mesh.groups.size(); ++g) {
+    const Status status = check_group(scene, mesh, g, faces);
+    if (!status.ok()) return status;
+    faces += mesh.groups[g].face_count;
+  }
+  if (faces == 0 || faces != mesh.face_count) return bad("MeshRecord", "face_count", index, mesh.face_count, faces);
+  return {};
+}
+
+Status check_instance(const SceneRecord& scene, std::uint32_t index) {
+  const InstanceRecord& instance = scene.instances[index];
+  if (instance.mesh >= scene.meshes.size()) return bad("InstanceRecord", "mesh", index, instance.mesh, scene.meshes.size());
+  for (const Fx16 c : instance.transform.translation) {
+    if (!within_world(c)) return bad("InstanceRecord", "transform.translation", index);
+  }
+  const MeshRecord& mesh = scene.meshes[instance.mesh];
+  if ((instance.flags & InstanceRecord::kScreen) != 0 && instance.material == InstanceRecord::kOwnMaterials) {
+    for (const FaceGroup& group : mesh.groups) {
+      if (scene.materials[group.material].shading != MaterialRecord::kUnlit) return bad("InstanceRecord", "material (screen)", index);
+    }
+  }
+  if (instance.material != InstanceRecord::kOwnMaterials) {
+    if (instance.material >= scene.materials.size()) {
+      return bad("InstanceRecord", "material", index, instance.material, scene.materials.size());
+    }
+    return check_material(mesh, scene.materials[instance.material], "InstanceRecord", index);
+  }
+  for (const FaceGroup& group : mesh.groups) {
+    const Status status = check_material(mesh, scene.materials[group.material], "InstanceRecord", index);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+Status check_light(const LightRecord& light, std::uint32_t index) {
+  std::int64_t square = 0;
+  for (const Fx30 c : light.direction) square += (std::int64_t{c.raw} * c.raw) >> 30;
+  constexpr std::int64_t kSlack = Fx30::kOne >> 8;
+  const bool unit = square > Fx30::kOne - kSlack && square < Fx30::kOne + kSlack;
+  return unit ? Status{} : bad("LightRecord", "direction", index);
+}
+
+}  // namespace
+
+Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
+  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+    if (scene.materials[i].shading > MaterialRecord::kUnlit) return bad("MaterialRecord", "shading", i, scene.materials[i].shading);
+  }
+  if (scene.lights.size() > kMaxLights) return bad("SceneRecord", "lights", 0, scene.lights.size(), kMaxLights);
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+    const Status status = check_light(scene.lights[i], i);
+    if (!status.ok()) return status;
+  }
+  for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
+    const Status status = check_mesh(scene, i);
+    if (!status.ok()) return status;
+  }
+  std::uint32_t faces = 0, vertices = 0;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Status status = check_instance(scene, i);
+    if (!status.ok()) return status;
+    faces += scene.meshes[scene.instances[i].mesh].face_count;
+    vertices += scene.meshes[scene.instances[i].mesh].positions.size();
+    if (faces > kMaxSceneFaces) return bad("SceneRecord", "instances (faces)", i, faces, kMaxSceneFaces);
+    if (vertices > kMaxSceneVertices) return bad("SceneRecord", "instances (vertices)", i, vertices, kMaxSceneVertices);
+  }
+  view.scene_ = &scene;
+  view.face_count_ = static_cast<std::uint16_t>(faces);
+  view.vertex_count_ = static_cast<std::uint16_t>(vertices);
+  return {};
+}
+
+}  // namespace spanline

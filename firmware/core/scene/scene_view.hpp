@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/base/status.hpp"
+#include "core/scene/format.hpp"
+
+namespace spanline {
+
+inline constexpr std::uint16_t kNoFace = 65535;
+
+// A scene whose records have been checked once, so that everything behind it reads in place and checks nothing.
+class SceneView {
+ public:
+  SceneView() = default;
+
+  // Checks every record and field of `scene`. On success `view` refers to the records, which must outlive it. On failure the
+  // status names the record type, its index, the field and the offending value, and `view` is left as it was.
+  static Status validate(const SceneRecord& scene, SceneView& view);
+
+  const SceneRecord& scene() const { return *scene_; }
+  std::uint16_t face_count() const { return face_count_; }      // over all instances, hidden ones too
+  std::uint16_t vertex_count() const { return vertex_count_; }  // over all instances
+
+ private:
+  const SceneRecord* scene_ = nullptr;
+  std::uint16_t face_count_ = 0;
+  std::uint16_t vertex_count_ = 0;
+};
+
+}  // namespace spanline

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/scene/format.hpp"
+
+namespace spanline {
+
+// The lights as one instance's mesh sees them, so that a normal is lit where it lies: ambient plus up to four directional
+// lights, each intensity * max(0, -direction . normal), a channel at a time, saturating at 255.
+class LightRig {
+ public:
+  LightRig() = default;
+  LightRig(const SceneRecord& scene, const Transform& transform);
+
+  // The colour of a surface with this normal and material; `flip` turns the normal round (a back seen from behind).
+  Rgb8 shade(const Normal10& normal, const MaterialRecord& material, bool flip) const;
+
+ private:
+  std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
+  std::uint32_t turned_length(const Normal10& normal) const;
+
+  std::uint32_t count_ = 0;
+  bool uniform_ = true;             // the transform only turns and scales evenly
+  std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
+  std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform
+  std::uint16_t intensity_[kMaxLights][3];
+  std::uint16_t ambient_[3] = {0, 0, 0};
+};
+
+}  // namespace spanline

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/base/slice.hpp"
+#include "core/geom/screen.hpp"
+#include "core/shade/pixel.hpp"
+#include "core/vsg/visible_span.hpp"
+
+namespace spanline {
+
+// Writes the visible spans of a line as pixels in wire order. Spans come left to right and without gaps, so nothing is cleared.
+class Painter {
+ public:
+  Painter() = default;
+  explicit Painter(const Screen& screen) : screen_(screen) {}
+
+  // Bytes that begin_line() needs.
+  std::uint32_t line_bytes() const { return bytes_per_line(screen_.format, screen_.width); }
+
+  // The spans to come belong to `line`; `out` begins on a word boundary and holds line_bytes() at least.
+  void begin_line(std::uint16_t line, std::uint8_t* out, const BackgroundRecord& background);
+  void span(const VisibleSpan& span);
+
+ private:
+  // A colour channel along a line, Q8.16 in 32 bits.
+  struct Ramp {
+    std::int32_t value, step;
+  };
+  void fill(std::uint32_t left, std::uint32_t right, std::uint32_t payload);
+  void gouraud(const VisibleSpan& span);
+  void put_grey(std::uint32_t x, std::uint32_t grey);
+
+  Screen screen_;
+  std::uint8_t* out_ = nullptr;
+  std::uint16_t line_ = 0;
+  std::uint32_t background_ = 0;  // payload
+};
+
+}  // namespace spanline

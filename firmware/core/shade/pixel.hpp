@@ -1,0 +1,46 @@
+// Single pixels: colours as the panel wants them, and the thresholds of ordered dither.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pixel_format.hpp"
+#include "core/scene/format.hpp"
+
+namespace spanline {
+
+// RGB565 with the bytes in wire order: read as a little-endian half-word, the panel's high byte comes first.
+constexpr std::uint16_t rgb565_wire(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  const std::uint32_t v = (r & 0xf8u) << 8 | (g & 0xfcu) << 3 | b >> 3;
+  return static_cast<std::uint16_t>(v >> 8 | v << 8);
+}
+
+// Luma of ITU-R BT.601 in 8 bits; white stays 255.
+constexpr std::uint8_t luminance(const Rgb8& c) {
+  return static_cast<std::uint8_t>((77u * c.r + 150u * c.g + 29u * c.b + 128u) >> 8);
+}
+
+// A flat colour as the painter fills it: two RGB565 pixels in wire order, or the luminance.
+constexpr std::uint32_t flat_payload(PixelFormat format, const Rgb8& c) {
+  if (format != PixelFormat::rgb565) return luminance(c);
+  const std::uint32_t pixel = rgb565_wire(c.r, c.g, c.b);
+  return pixel | pixel << 16;
+}
+
+// Bayer's 8 x 8 matrix (1973), 0 … 63: the bits of x ^ y and y, reversed and interleaved.
+constexpr std::uint32_t bayer8(std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t d = x ^ y;
+  return (d & 1u) << 5 | (y & 1u) << 4 | (d & 2u) << 2 | (y & 2u) << 1 | (d & 4u) >> 1 | (y & 4u) >> 2;
+}
+
+// A luminance as one of 16 levels: 17 * level on the average. 0 and 255 are met exactly.
+constexpr std::uint32_t dither_grey4(std::uint32_t grey, std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t threshold = bayer8(x, y) * 4 + 1;  // 1 … 253 of 255
+  return ((grey * 15 + threshold) * 0x8081u) >> 23;       // / 255
+}
+
+// A luminance as on or off.
+constexpr std::uint32_t dither_mono(std::uint32_t grey, std::uint32_t x, std::uint32_t y) {
+  return grey > bayer8(x, y) * 4 + 1 ? 1u : 0u;
+}
+
+}  // namespace spanline

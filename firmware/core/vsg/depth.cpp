@@ -1,0 +1,65 @@
+#include "core/vsg/depth.hpp"
+
+#include <bit>
+
+#include "core/fx/bits.hpp"
+
+namespace spanline {
+
+namespace {
+
+std::int32_t pixel_on_screen(std::int32_t v, std::int32_t pixels) {
+  const std::int32_t p = v >> 4;
+  return p < 0 ? 0 : p >= pixels ? pixels - 1 : p;
+}
+
+constexpr std::int32_t centre(std::int32_t pixel) { return pixel * kSubpixels + kSubpixels / 2; }
+
+}  // namespace
+
+DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
+  const std::int64_t dx1 = corner[1].at.x - corner[0].at.x, dx2 = corner[2].at.x - corner[0].at.x;
+  const std::int64_t dy1 = corner[1].at.y - corner[0].at.y, dy2 = corner[2].at.y - corner[0].at.y;
+  const auto z0 = static_cast<std::int64_t>(corner[0].depth);
+  const std::int64_t dz1 = corner[1].depth - z0, dz2 = corner[2].depth - z0;
+  std::int64_t area = dx1 * dy2 - dx2 * dy1;  // below 2^34
+  std::int64_t along_x = dz1 * dy2 - dz2 * dy1, along_y = dx1 * dz2 - dx2 * dz1;  // below 2^41
+  if (area == 0) return {};  // covers no pixel
+  if (area < 0) {
+    area = -area;
+    along_x = -along_x;
+    along_y = -along_y;
+  }
+  const std::int32_t column = pixel_on_screen(corner[0].at.x, screen.width);
+  const std::int32_t line = pixel_on_screen(corner[0].at.y, screen.height);
+  // Distances are below 2^16, so this is below 2^63.
+  const std::int64_t climb =
+      (along_x * (centre(column) - corner[0].at.x) + along_y * (centre(line) - corner[0].at.y)) * (1 << kRampShift);
+  DepthPlane plane;
+  plane.ramp.slope = static_cast<std::uint32_t>(round_div(along_x * (kSubpixels << kRampShift), area));
+  plane.down = static_cast<std::uint32_t>(round_div(along_y * (kSubpixels << kRampShift), area));
+  plane.ramp.at_zero = (corner[0].depth << kRampShift) + static_cast<std::uint32_t>(floor_div(climb, area)) -
+                       plane.ramp.slope * static_cast<std::uint32_t>(column) - plane.down * static_cast<std::uint32_t>(line);
+  return plane;
+}
+
+DepthRamp depth_between(const SegmentHalf& left, const SegmentHalf& right) {
+  // With l = e / D the way from an edge to its column: width = c_r - c_l + l_l - l_r px, and the column c_l lies l_l / width of
+  // the way along. Multiplied by both D that is exact in 64 bits; the quotients then need 32.
+  const std::int64_t both = std::int64_t{left.denominator()} * right.denominator();  // at most 2^40
+  const std::int64_t lead = std::int64_t{left.error} * right.denominator();
+  const std::int64_t width =
+      (right.column - left.column) * both + lead - std::int64_t{right.error} * left.denominator();  // at most 2^52
+  CHECK(width > 0 && lead <= width);
+  const int wide = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(width))) - 32;
+  const int shift = wide > 0 ? wide : 0;
+  const auto rise = static_cast<std::int64_t>(static_cast<std::int32_t>(right.depth - left.depth));
+  DepthRamp ramp;
+  // A segment less than a pixel wide covers one column at most and needs no slope.
+  if (width >= both) ramp.slope = static_cast<std::uint32_t>(round_div(rise * (both >> shift), width >> shift));
+  const auto start = static_cast<std::uint32_t>(round_div(rise * (lead >> shift), width >> shift));
+  ramp.at_zero = left.depth + start - ramp.slope * static_cast<std::uint32_t>(left.column);
+  return ramp;
+}
+
+}  // namespace spanline

@@ -1,0 +1,74 @@
+// The polygons that are alive, and the list of those that change on the line to come.
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+#include "core/vsg/blocks.hpp"
+
+namespace spanline {
+
+class Polygons {
+ public:
+  Polygons() = default;
+  explicit Polygons(PoolRef<PolygonBlock> blocks) : blocks_(blocks) {}
+
+  void clear() {
+    blocks_.clear();
+    changing_ = 0;
+  }
+
+  // A block for a face, not yet active and without segments; 0 where none is left.
+  std::uint16_t open(std::uint16_t face, std::uint8_t flags, std::uint32_t payload) {
+    const std::uint16_t index = blocks_.take();
+    if (index != 0) blocks_[index] = {face, 0, 0, 0, payload, {}, 0, flags};
+    return index;
+  }
+  void close(std::uint16_t index) {
+    blocks_[index].face = kNoFace;
+    blocks_.give(index);
+  }
+
+  // Puts a polygon on the list of changing polygons, once.
+  void change(std::uint16_t index) {
+    PolygonBlock& polygon = blocks_[index];
+    if ((polygon.flags & PolygonBlock::kActive) != 0) return;
+    polygon.flags |= PolygonBlock::kActive;
+    polygon.next_changing = changing_;
+    changing_ = index;
+  }
+  // Takes the next changing polygon off its list; 0 at the end.
+  std::uint16_t pop_changing() {
+    const std::uint16_t index = changing_;
+    if (index != 0) {
+      changing_ = blocks_[index].next_changing;
+      blocks_[index].flags &= static_cast<std::uint8_t>(~PolygonBlock::kActive);
+    }
+    return index;
+  }
+  // Takes one out of the middle.
+  void unchange(std::uint16_t index) {
+    if ((blocks_[index].flags & PolygonBlock::kActive) == 0) return;
+    std::uint16_t* link = &changing_;
+    while (*link != index) link = &blocks_[*link].next_changing;
+    *link = blocks_[index].next_changing;
+  }
+
+  // The live polygon with the highest face number; 0 where none is alive.
+  std::uint16_t last_face() const {
+    std::uint16_t best = 0;
+    for (std::uint16_t i = 1; i <= blocks_.ever_used(); ++i) {
+      if (blocks_[i].face != kNoFace && (best == 0 || blocks_[i].face > blocks_[best].face)) best = i;
+    }
+    return best;
+  }
+
+  PolygonBlock& operator[](std::uint16_t index) { return blocks_[index]; }
+  const PolygonBlock& operator[](std::uint16_t index) const { return blocks_[index]; }
+  std::uint16_t used() const { return blocks_.used(); }
+  std::uint16_t capacity() const { return blocks_.capacity(); }
+
+ private:
+  FreeList<PolygonBlock, &PolygonBlock::first_segment> blocks_;
+  std::uint16_t changing_ = 0;
+};
+
+}  // namespace spanline

@@ -1,0 +1,146 @@
+// The segment eliminator (III.B): packs the segment lists of the polygons that changed, frees blocks, and files the segments
+// whose left edge is new.
+#pragma once
+
+#include "core/vsg/edge_table.hpp"
+#include "core/vsg/polygons.hpp"
+
+namespace spanline {
+
+// XSort: XSortList or XSortBuckets.
+template <bool kCount, typename XSort>
+class SegmentEliminator {
+ public:
+  SegmentEliminator() = default;
+  SegmentEliminator(SegmentStore<kCount>* store, Polygons* polygons, XSort* x_sort)
+      : store_(store), polygons_(polygons), x_sort_(x_sort) {}
+
+  // After an edge has entered: where that left the polygon with one whole segment, files it at once, while its block is at hand,
+  // and packing is done with. True then.
+  bool settle(std::uint16_t index) {
+    const std::uint16_t only = (*polygons_)[index].first_segment;
+    SegmentBlock& block = store_->held(only);
+    if (block.polygon_next != 0 || block.half[0].empty() || block.half[1].empty()) return false;
+    if (block.half[1].column < block.half[0].column) return false;
+    file(only);
+    return true;
+  }
+
+  // Packs one polygon's list: halves in order of X without gaps, blocks at the end freed, moved blocks filed anew. The polygon's
+  // block is given back where nothing of it is left or to come. False where it has an odd number of edges, which no closed
+  // contour has; the last edge is then dropped.
+  bool pack(std::uint16_t index) {
+    PolygonBlock& polygon = (*polygons_)[index];
+    if ((polygon.flags & PolygonBlock::kSettled) != 0) {
+      polygon.flags &= static_cast<std::uint8_t>(~PolygonBlock::kSettled);
+      return true;
+    }
+    if ((polygon.flags & PolygonBlock::kFinished) != 0) {
+      store_->give(polygon.first_segment);
+      polygons_->close(index);
+      return true;
+    }
+    const unsigned halves = close_gaps(polygon.first_segment);
+    sort(polygon.first_segment);
+    trim(polygon, halves / 2);
+    for (std::uint16_t at = polygon.first_segment; at != 0; at = store_->held(at).polygon_next) file(at);
+    if (polygon.first_segment == 0 && polygon.waiting == 0) polygons_->close(index);
+    return halves % 2 == 0;
+  }
+
+  // Takes a polygon away with all that belongs to it.
+  void drop(std::uint16_t index, EdgeTable& edges) {
+    PolygonBlock& polygon = (*polygons_)[index];
+    polygons_->unchange(index);
+    trim(polygon, 0);
+    if (polygon.waiting != 0) edges.forget(index);
+    polygons_->close(index);
+  }
+
+ private:
+  // Puts a block among those that enter on this line, unless it lies in the X-sort list where it should.
+  void file(std::uint16_t index) {
+    const std::uint16_t flags = store_->held(index).flags;
+    if ((flags & (SegmentBlock::kListed | SegmentBlock::kEntering)) != 0 && (flags & SegmentBlock::kMoved) == 0) return;
+    x_sort_->remove(index);
+    x_sort_->enter(index);
+    store_->store(index);
+  }
+
+  struct Cursor {
+    std::uint16_t block;
+    unsigned side;
+  };
+  void advance(Cursor& c) {
+    if (++c.side == 2) c = {store_->held(c.block).polygon_next, 0};
+  }
+
+  // Shifts the halves that are not empty to the front; returns how many there are.
+  unsigned close_gaps(std::uint16_t first) {
+    unsigned count = 0;
+    Cursor to{first, 0};
+    for (std::uint16_t at = first; at != 0; at = store_->held(at).polygon_next) {
+      store_->fetch(at);
+      for (unsigned side = 0; side < 2; ++side) {
+        if (store_->held(at).half[side].empty()) continue;
+        if (to.block != at || to.side != side) move({at, side}, to);
+        advance(to);
+        ++count;
+      }
+    }
+    return count;
+  }
+
+  void move(Cursor from, Cursor to) {
+    SegmentHalf& source = store_->held(from.block).half[from.side];
+    SegmentBlock& target = store_->held(to.block);
+    target.half[to.side] = source;
+    if (store_->has_shades()) store_->shade(to.block).half[to.side] = store_->shade(from.block).half[from.side];
+    source.lines = 0;
+    if (to.side == 0) target.flags |= SegmentBlock::kMoved;
+    store_->store(to.block);
+  }
+
+  // Insertion sort; a simple polygon's edges are in order already, those of one that crosses itself change places here.
+  void sort(std::uint16_t first) {
+    bool again = first != 0;
+    while (again) {
+      again = false;
+      Cursor a{first, 0};
+      for (Cursor b{first, 1}; b.block != 0 && !half(b).empty(); a = b, advance(b)) {
+        if (half(a).column <= half(b).column || !comes_before(half(b), half(a))) continue;
+        exchange(a, b);
+        again = true;
+      }
+    }
+  }
+  SegmentHalf& half(Cursor c) { return store_->held(c.block).half[c.side]; }
+  void exchange(Cursor a, Cursor b) {
+    std::swap(half(a), half(b));
+    if (store_->has_shades()) std::swap(store_->shade(a.block).half[a.side], store_->shade(b.block).half[b.side]);
+    for (const Cursor c : {a, b}) {
+      if (c.side == 0) store_->held(c.block).flags |= SegmentBlock::kMoved;
+      store_->store(c.block);
+    }
+  }
+
+  // Frees the blocks after the first `keep`.
+  void trim(PolygonBlock& polygon, unsigned keep) {
+    std::uint16_t* link = &polygon.first_segment;
+    for (; keep != 0; --keep) link = &store_->held(*link).polygon_next;
+    std::uint16_t at = *link;
+    *link = 0;
+    while (at != 0) {
+      const std::uint16_t next = store_->held(at).polygon_next;
+      x_sort_->remove(at);
+      store_->give(at);
+      at = next;
+    }
+  }
+
+  SegmentStore<kCount>* store_ = nullptr;
+  Polygons* polygons_ = nullptr;
+  XSort* x_sort_ = nullptr;
+};
+
+}  // namespace spanline

@@ -1,0 +1,255 @@
+// The visible segment generator (seed 1, Fig. 10): facets go in when their first line comes, a stream of visible spans comes out
+// line by line.
+#pragma once
+
+#include "core/vsg/depth_sorter.hpp"
+#include "core/vsg/edge_table.hpp"
+#include "core/vsg/segment_eliminator.hpp"
+#include "core/vsg/segment_generator.hpp"
+#include "core/vsg/x_sort.hpp"
+
+namespace spanline {
+
+// The pools, erased. active holds as many as segments; shades as many or none at all.
+struct VsgStorage {
+  PoolRef<PolygonBlock> polygons;
+  PoolRef<EdgeBlock> edges;
+  PoolRef<SegmentBlock> segments;
+  PoolRef<SegmentShade> shades;
+  PoolRef<ActiveSegment> active;
+  PoolRef<std::int16_t> samples[2];
+  PoolRef<ImpliedEdge> implied;
+  void* buckets = nullptr;  // XSortBuckets::Buckets, for XSort::buckets only
+};
+
+// What a facet looks like: worked out by shade, carried by vsg.
+struct FacetLook {
+  std::uint32_t payload = 0;
+  bool gouraud = false;
+};
+
+// The outcome of putting a facet in.
+enum class Room : std::uint8_t {
+  enough,
+  no_edges,  // the edge pool is full: begin again on this line with a shorter band, which files fewer edges
+  left_out,  // the line needs more blocks than exist: the highest face numbers were left out
+};
+
+template <VsgOptions kOptions>
+class VisibleSegments {
+ public:
+  VisibleSegments() = default;
+  VisibleSegments(const VisibleSegments&) = delete;
+  VisibleSegments& operator=(const VisibleSegments&) = delete;
+  VisibleSegments(const VsgStorage& storage, const Screen& screen, FacetReader* reader);
+
+  // Forgets everything; what comes next lies on lines [top, bottom).
+  void begin_band(std::int32_t bottom);
+
+  // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as FacetReader::read.
+  template <typename Colour>
+  Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour);
+
+  // Generates `line`, the one after the last: sink.span(const VisibleSpan&), left to right. May still leave facets out.
+  template <typename Sink>
+  Room run(std::uint16_t line, Sink& sink);
+
+  // Of the last left_out or unclosed.
+  const Status& status() const { return status_; }
+  void clear_status() { status_ = {}; }
+
+  // The counters so far; for VsgOptions::statistics only.
+  Statistics& statistics()
+    requires(kOptions.statistics);
+  void clear_statistics() {
+    sorter_.statistics() = {};
+    store_.clear_counters();
+  }
+
+ private:
+  using Sort = std::conditional_t<kOptions.x_sort == XSort::list, XSortList<kOptions.statistics>,
+                                  XSortBuckets<kOptions.statistics>>;
+  template <typename Colour>
+  struct EdgeSink;
+
+  Room enter(std::uint16_t polygon, EnteringEdge edge, std::int32_t line);
+  Room enter_waiting(std::int32_t line);
+  bool make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line);
+  void note_pools();
+
+  SegmentStore<kOptions.statistics> store_;
+  Polygons polygons_;
+  EdgeTable edges_;
+  Sort x_sort_;
+  SampleSpace samples_;
+  ImpliedEdges implied_;
+  SegmentGenerator<kOptions.statistics> generator_;
+  SegmentEliminator<kOptions.statistics, Sort> eliminator_;
+  DepthSorter<kOptions, Sort> sorter_;
+  FacetReader* reader_ = nullptr;
+  std::int32_t bottom_ = 0;
+  Status status_;
+};
+
+template <VsgOptions kOptions>
+VisibleSegments<kOptions>::VisibleSegments(const VsgStorage& storage, const Screen& screen, FacetReader* reader)
+    : store_(storage.segments, storage.shades),
+      polygons_(storage.polygons),
+      edges_(storage.edges),
+      x_sort_(&store_),
+      samples_(storage.samples[0], storage.samples[1]),
+      implied_(storage.implied),
+      generator_(&store_, &polygons_),
+      eliminator_(&store_, &polygons_, &x_sort_),
+      sorter_({&store_, &polygons_, &x_sort_, &samples_, &implied_, storage.active, reader, screen}),
+      reader_(reader) {
+  if constexpr (kOptions.x_sort == XSort::buckets) x_sort_.use(static_cast<typename Sort::Buckets*>(storage.buckets));
+}
+
+template <VsgOptions kOptions>
+void VisibleSegments<kOptions>::begin_band(std::int32_t bottom) {
+  store_.clear();
+  polygons_.clear();
+  edges_.clear();
+  x_sort_.clear();
+  samples_.clear();
+  implied_.clear();
+  x_sort_.begin_line();
+  bottom_ = bottom;
+}
+
+// Cuts a facet's contours into edges and files them: those that have begun at once, the others in the edge table.
+template <VsgOptions kOptions>
+template <typename Colour>
+struct VisibleSegments<kOptions>::EdgeSink {
+  VisibleSegments& vsg;
+  std::uint16_t polygon;
+  std::int32_t line;
+  Room room = Room::enough;
+  FacetVertex first{}, previous{};
+  bool any = false;
+
+  void begin_contour() { any = false; }
+  void vertex(const FacetVertex& v) {
+    if (any) edge(previous, v);
+    if (!any) first = v;
+    any = true;
+    previous = v;
+  }
+  void end_contour() {
+    if (any) edge(previous, first);
+  }
+
+  void edge(const FacetVertex& a, const FacetVertex& b) {
+    if (room != Room::enough) return;
+    const ScreenEdge e(a, b);
+    const std::int32_t begin = e.first_line(), end = e.end_line();
+    if (begin >= end || end <= line || begin >= vsg.bottom_) return;
+    PolygonBlock& block = vsg.polygons_[polygon];
+    if (begin > line) {
+      ++block.waiting;
+      if (!vsg.edges_.add(e, polygon)) room = Room::no_edges;
+      return;
+    }
+    const bool gouraud = (block.flags & PolygonBlock::kGouraud) != 0;
+    const bool with_depth = (block.flags & PolygonBlock::kTriangle) == 0;
+    room = vsg.enter(polygon, {start_edge(e, line, with_depth), gouraud ? shade_edge(e) : EdgeShade{}}, line);
+  }
+};
+
+template <VsgOptions kOptions>
+template <typename Colour>
+Room VisibleSegments<kOptions>::add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour) {
+  const bool triangle = reader_->face().corners.size() == 3 && !reader_->clipped();
+  const bool gouraud = look.gouraud && store_.has_shades();
+  const auto flags = static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (gouraud ? PolygonBlock::kGouraud : 0));
+  std::uint16_t polygon = polygons_.open(face, flags, look.payload);
+  while (polygon == 0) {
+    if (!make_room("polygons", polygons_.capacity(), face, line)) return Room::left_out;
+    polygon = polygons_.open(face, flags, look.payload);
+  }
+  polygons_.change(polygon);
+  EdgeSink<Colour> sink{*this, polygon, line};
+  reader_->read(colour, sink);
+  return sink.room;
+}
+
+// Files an edge; while there is no block for it, the highest face goes, perhaps the edge's own.
+template <VsgOptions kOptions>
+Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, EnteringEdge edge, std::int32_t line) {
+  const std::uint16_t face = polygons_[polygon].face;
+  while (!generator_.insert(polygon, edge)) {
+    if (make_room("segments", store_.capacity(), face, line)) continue;
+    eliminator_.drop(polygon, edges_);
+    return Room::left_out;
+  }
+  polygons_.change(polygon);
+  PolygonBlock& block = polygons_[polygon];
+  block.flags &= static_cast<std::uint8_t>(~PolygonBlock::kSettled);
+  if (eliminator_.settle(polygon)) block.flags |= PolygonBlock::kSettled;
+  return Room::enough;
+}
+
+// Drops the live polygon with the highest face if that is above `face`. Notes the shortage.
+template <VsgOptions kOptions>
+bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line) {
+  const bool same = !status_.ok() && status_.line == static_cast<std::uint32_t>(line) && status_.where == pool;
+  status_ = {Code::pool_exhausted, pool, "", face, static_cast<std::uint32_t>(line), (same ? status_.needed : capacity) + 1u, capacity};
+  if constexpr (kOptions.statistics) ++sorter_.statistics().facets_left_out;
+  const std::uint16_t last = polygons_.last_face();
+  if (last == 0 || polygons_[last].face <= face) return false;
+  eliminator_.drop(last, edges_);
+  return true;
+}
+
+template <VsgOptions kOptions>
+Room VisibleSegments<kOptions>::enter_waiting(std::int32_t line) {
+  Room room = Room::enough;
+  while (const std::uint16_t index = edges_.pop(line)) {
+    const EdgeBlock block = edges_[index];
+    edges_.give(index);
+    const bool gouraud = store_.has_shades();
+    const EnteringEdge edge{start_edge(block.edge, line, true), gouraud ? shade_edge(block.edge) : EdgeShade{}};
+    for (const std::uint16_t polygon : block.polygons) {
+      // Making room for the first may have dropped the second: its block then names no face.
+      if (polygon == 0 || polygons_[polygon].face == kNoFace) continue;
+      --polygons_[polygon].waiting;
+      if (enter(polygon, edge, line) == Room::left_out) room = Room::left_out;
+    }
+  }
+  return room;
+}
+
+template <VsgOptions kOptions>
+template <typename Sink>
+Room VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
+  const Room room = enter_waiting(line);
+  if constexpr (kOptions.statistics) note_pools();
+  while (const std::uint16_t polygon = polygons_.pop_changing()) {
+    const std::uint16_t face = polygons_[polygon].face;
+    if (!eliminator_.pack(polygon)) status_ = {Code::unclosed, "face", "contours", face, line, 0, 0};
+  }
+  sorter_.run(line, sink);
+  x_sort_.begin_line();
+  return room;
+}
+
+template <VsgOptions kOptions>
+void VisibleSegments<kOptions>::note_pools() {
+  Statistics& s = sorter_.statistics();
+  if (polygons_.used() > s.max_polygons) s.max_polygons = polygons_.used();
+  if (edges_.used() > s.max_edges) s.max_edges = edges_.used();
+}
+
+template <VsgOptions kOptions>
+Statistics& VisibleSegments<kOptions>::statistics()
+  requires(kOptions.statistics)
+{
+  Statistics& s = sorter_.statistics();
+  s.segment_references = store_.references();
+  s.segment_blocks = store_.taken();
+  s.max_segments = store_.most();
+  return s;
+}
+
+}  // namespace spanline
