@@ -63,7 +63,10 @@ bool comes_before(const SegmentHalf& a, const SegmentHalf& b) {
   const std::uint64_t left_a = std::uint64_t{a.error} * b.height, left_b = std::uint64_t{b.error} * a.height;
   if (left_a != left_b) return left_a > left_b;
   if (a.quotient != b.quotient) return a.quotient < b.quotient;
-  return std::uint32_t{a.remainder} * b.height < std::uint32_t{b.remainder} * a.height;
+  const std::uint32_t slope_a = std::uint32_t{a.remainder} * b.height, slope_b = std::uint32_t{b.remainder} * a.height;
+  if (slope_a != slope_b) return slope_a < slope_b;
+  // One line: only the order must not depend on the history.
+  return a.depth != b.depth ? a.depth < b.depth : a.depth_step < b.depth_step;
 }
 
 EdgeShade shade_edge(const ScreenEdge& edge) {

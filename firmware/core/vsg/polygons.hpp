@@ -44,12 +44,18 @@ class Polygons {
     }
     return index;
   }
-  // Takes one out of the middle.
-  void unchange(std::uint16_t index) {
-    if ((blocks_[index].flags & PolygonBlock::kActive) == 0) return;
+  // Walks the list; keeps a polygon on it where keep(index) says so.
+  template <typename Keep>
+  void filter_changing(const Keep& keep) {
     std::uint16_t* link = &changing_;
-    while (*link != index) link = &blocks_[*link].next_changing;
-    *link = blocks_[index].next_changing;
+    while (*link != 0) {
+      const std::uint16_t index = *link, next = blocks_[index].next_changing;
+      if (keep(index)) {
+        link = &blocks_[index].next_changing;
+      } else {
+        *link = next;
+      }
+    }
   }
 
   // The live polygon with the highest face number; 0 where none is alive.

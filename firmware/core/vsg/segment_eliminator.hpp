@@ -15,6 +15,25 @@ class SegmentEliminator {
   SegmentEliminator(SegmentStore<kCount>* store, Polygons* polygons, XSort* x_sort)
       : store_(store), polygons_(polygons), x_sort_(x_sort) {}
 
+  // Before any edge enters on a line: gives back what ended on the line before, so that a line never needs more blocks than it
+  // has segments. True where nothing is left of the polygon and its block is given back too.
+  bool release(std::uint16_t index) {
+    PolygonBlock& polygon = (*polygons_)[index];
+    if (polygon.first_segment == 0) return false;
+    if ((polygon.flags & PolygonBlock::kFinished) != 0) {  // known from the register: no need to look at the block
+      store_->give(polygon.first_segment);
+      polygons_->close(index);
+      return true;
+    }
+    const SegmentBlock& first = store_->held(polygon.first_segment);
+    if (first.polygon_next != 0 || (first.half[0].empty() && first.half[1].empty())) {
+      trim(polygon, (close_gaps(polygon.first_segment) + 1) / 2);
+    }
+    const bool over = polygon.first_segment == 0 && polygon.waiting == 0;
+    if (over) polygons_->close(index);
+    return over;
+  }
+
   // After an edge has entered: where that left the polygon with one whole segment, files it at once, while its block is at hand,
   // and packing is done with. True then.
   bool settle(std::uint16_t index) {
@@ -35,11 +54,6 @@ class SegmentEliminator {
       polygon.flags &= static_cast<std::uint8_t>(~PolygonBlock::kSettled);
       return true;
     }
-    if ((polygon.flags & PolygonBlock::kFinished) != 0) {
-      store_->give(polygon.first_segment);
-      polygons_->close(index);
-      return true;
-    }
     const unsigned halves = close_gaps(polygon.first_segment);
     sort(polygon.first_segment);
     trim(polygon, halves / 2);
@@ -51,7 +65,9 @@ class SegmentEliminator {
   // Takes a polygon away with all that belongs to it.
   void drop(std::uint16_t index, EdgeTable& edges) {
     PolygonBlock& polygon = (*polygons_)[index];
-    polygons_->unchange(index);
+    if ((polygon.flags & PolygonBlock::kActive) != 0) {
+      polygons_->filter_changing([index](std::uint16_t other) { return other != index; });
+    }
     trim(polygon, 0);
     if (polygon.waiting != 0) edges.forget(index);
     polygons_->close(index);
@@ -108,7 +124,7 @@ class SegmentEliminator {
       again = false;
       Cursor a{first, 0};
       for (Cursor b{first, 1}; b.block != 0 && !half(b).empty(); a = b, advance(b)) {
-        if (half(a).column <= half(b).column || !comes_before(half(b), half(a))) continue;
+        if (!comes_before(half(b), half(a))) continue;
         exchange(a, b);
         again = true;
       }

@@ -46,6 +46,11 @@ class VisibleSegments {
   // Forgets everything; what comes next lies on lines [top, bottom).
   void begin_band(std::int32_t bottom);
 
+  // Before the first facet of a line is put in.
+  void begin_line() {
+    polygons_.filter_changing([this](std::uint16_t polygon) { return !eliminator_.release(polygon); });
+  }
+
   // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as FacetReader::read.
   template <typename Colour>
   Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour);
