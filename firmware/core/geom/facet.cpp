@@ -126,6 +126,26 @@ void FacetReader::locate(std::uint16_t mesh_face) {
   face_.material = instance().material == InstanceRecord::kOwnMaterials ? group.material : instance().material;
 }
 
+FacetReader::Outcodes FacetReader::outcodes() const {
+  Outcodes codes{0, 0xff};
+  for (const std::uint16_t corner : face_.corners) {
+    const auto code = static_cast<std::uint8_t>(point(corner).outcode);
+    codes.any |= code;
+    codes.all &= code;
+  }
+  return codes;
+}
+
+FacetVertex FacetReader::project_clipped(const ClipVertex& v) const {
+  const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) { return x < low ? low : x > high ? high : x; };
+  ClipPoint p = v.at;  // rounding may leave a clipped point a unit outside
+  p.w = clamp(p.w, projection_.near_w, projection_.far_w);
+  p.x = clamp(p.x, -p.w, p.w);
+  p.y = clamp(p.y, -p.w, p.w);
+  const ScreenPoint s = projection_(p);
+  return {s.at, s.depth, v.color};
+}
+
 FacetExtent FacetReader::extent() {
   if ((instance().flags & InstanceRecord::kHidden) != 0) return {};
   ExtentSink sink;

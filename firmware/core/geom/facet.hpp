@@ -55,12 +55,7 @@ class FacetReader {
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
 
   // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
-  bool clipped() const {
-    for (const std::uint16_t corner : face_.corners) {
-      if (point(corner).outcode != 0) return true;
-    }
-    return false;
-  }
+  bool clipped() const { return outcodes().any != 0; }
 
   // Extent and facing of the current face after clipping; an empty extent where nothing of it can be seen.
   FacetExtent extent();
@@ -71,8 +66,14 @@ class FacetReader {
   void read(const Colour& colour, Sink& sink);
 
  private:
+  struct Outcodes {
+    std::uint8_t any, all;
+  };
+  Outcodes outcodes() const;
+  FacetVertex project_clipped(const ClipVertex& v) const;
   template <typename Colour, typename Sink>
-  class Projector;
+  [[gnu::noinline]]  // keeps the clipper's 500 bytes off the stack of the common path
+  void read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour, Sink& sink);
 
   void enter_instance(std::uint16_t instance, std::uint16_t first_face, std::uint16_t first_vertex);
   void locate(std::uint16_t mesh_face);
@@ -97,53 +98,41 @@ class FacetReader {
   FaceRef face_;
 };
 
-// The last stage of clipping: projects and hands on.
-template <typename Colour, typename Sink>
-class FacetReader::Projector {
- public:
-  Projector(const Projection& projection, Sink& sink) : projection_(projection), sink_(sink) {}
-  void vertex(const ClipVertex& v) {
-    ClipPoint p = v.at;  // rounding may leave a clipped point a unit outside
-    const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) { return x < low ? low : x > high ? high : x; };
-    p.w = clamp(p.w, projection_.near_w, projection_.far_w);
-    p.x = clamp(p.x, -p.w, p.w);
-    p.y = clamp(p.y, -p.w, p.w);
-    const ScreenPoint s = projection_(p);
-    sink_.vertex({s.at, s.depth, v.color});
-  }
-
- private:
-  const Projection& projection_;
-  Sink& sink_;
-};
-
 template <typename Colour, typename Sink>
 void FacetReader::read(const Colour& colour, Sink& sink) {
-  std::uint8_t any = 0, all = 0xff;
-  for (const std::uint16_t corner : face_.corners) {
-    const auto code = static_cast<std::uint8_t>(point(corner).outcode);
-    any |= code;
-    all &= code;
-  }
-  if (all != 0) return;  // wholly outside one plane
-  Projector<Colour, Sink> projector(projection_, sink);
-  ContourClipper<Projector<Colour, Sink>> clipper(projection_, any, projector);
+  const Outcodes codes = outcodes();
+  if (codes.all != 0) return;  // wholly outside one plane
   const std::uint32_t rings = face_.contours.empty() ? 1 : face_.contours.size();
   std::uint32_t next = 0;
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
     const std::uint32_t end = face_.contours.empty() ? face_.corners.size() : next + face_.contours[ring];
     sink.begin_contour();
-    for (; next < end; ++next) {
-      const std::uint16_t corner = face_.corners[next];
-      if (any == 0) {
+    if (codes.any == 0) {
+      for (; next < end; ++next) {
+        const std::uint16_t corner = face_.corners[next];
         const ScreenPoint p = point(corner);
-        sink.vertex({p.at, p.depth, colour(corner)});
-      } else {
-        clipper.vertex({clip_point(corner), colour(corner)});
+        sink.vertex(FacetVertex{p.at, p.depth, colour(corner)});
       }
+    } else {
+      read_clipped(next, end, codes.any, colour, sink);
+      next = end;
     }
-    if (any != 0) clipper.finish();
     sink.end_contour();
+  }
+}
+
+template <typename Colour, typename Sink>
+void FacetReader::read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour, Sink& sink) {
+  ContourClipper clipper(projection_, planes);
+  ClipVertex out;
+  for (std::uint32_t i = begin; i <= end; ++i) {
+    if (i < end) {
+      const std::uint16_t corner = face_.corners[i];
+      clipper.feed({clip_point(corner), colour(corner)});
+    } else {
+      clipper.finish();
+    }
+    while (clipper.next(out)) sink.vertex(project_clipped(out));
   }
 }
 
