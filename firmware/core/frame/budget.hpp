@@ -17,6 +17,7 @@ struct Budget {
   std::uint16_t polygons = 64;   // facets alive on one line
   std::uint16_t edges = 48;      // edges of those that wait for their first line
   std::uint16_t segments = 64;   // segments alive on one line
+  std::uint16_t active = 0;      // segments over one pixel, 16 bytes each; 0: as many as segments
   std::uint16_t samples = 64;    // sample points kept for the next line (a hint: dropped when full)
   std::uint16_t implied = 16;    // implied edges kept (a hint)
   bool gouraud = true;           // room for colour ramps: 24 bytes a segment, 12 a waiting edge

@@ -74,7 +74,10 @@ class Frame {
     if (status_.ok()) status_ = status;
   }
 
-  FrameStorage storage_;
+  Screen screen_;
+  PoolRef<WaitingFacet> facets_;
+  PoolRef<std::uint16_t> buckets_;
+  PoolRef<ScreenPoint> cache_;
   SceneView scene_;
   CameraRecord camera_{};
   FacetReader reader_;

@@ -19,7 +19,13 @@ struct Frame<kOptions>::Sink {
 
 template <FrameOptions kOptions>
 Frame<kOptions>::Frame(const FrameStorage& storage)
-    : storage_(storage), vsg_(storage.vsg, storage.screen, &reader_), painter_(storage.screen), height_(storage.screen.height) {}
+    : screen_(storage.screen),
+      facets_(storage.facets),
+      buckets_(storage.buckets),
+      cache_(storage.vertices),
+      vsg_(storage.vsg, storage.screen, &reader_),
+      painter_(storage.screen),
+      height_(storage.screen.height) {}
 
 template <FrameOptions kOptions>
 bool Frame<kOptions>::same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const {
@@ -36,8 +42,8 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     bands_ = most_facets_ = 0;
   }
   band_ = {};
-  if (rest.empty() || rest.bottom > storage_.screen.height) {
-    note({Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, storage_.screen.height});
+  if (rest.empty() || rest.bottom > screen_.height) {
+    note({Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen_.height});
     return {};
   }
   const Status status = check_camera(camera);
@@ -49,7 +55,7 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     scene_ = scene;
     camera_ = camera;
     lit_instance_ = UINT32_MAX;
-    reader_ = FacetReader(scene_, camera_, storage_.screen, storage_.vertices);
+    reader_ = FacetReader(scene_, camera_, screen_, cache_);
     vertices_ = reader_.fill_cache();
   }
   band_ = {rest.top, plan(rest.top, rest.bottom)};
@@ -62,7 +68,7 @@ template <FrameOptions kOptions>
 std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
   std::uint32_t lines = static_cast<std::uint32_t>(bottom - top);
   if (lines > 2u * height_) lines = 2u * height_;
-  if (lines > storage_.buckets.capacity()) lines = storage_.buckets.capacity();
+  if (lines > buckets_.capacity()) lines = buckets_.capacity();
   while (!file_facets(top, static_cast<std::uint16_t>(top + lines))) lines /= 2;
   height_ = static_cast<std::uint16_t>(lines);
   planned_ = static_cast<std::uint16_t>(top + lines);
@@ -74,7 +80,7 @@ std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
 // False where the waiting facets do not fit and the band has lines to give up.
 template <FrameOptions kOptions>
 bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
-  for (std::uint16_t i = 1; i <= bottom - top; ++i) storage_.buckets[i] = 0;
+  for (std::uint16_t i = 1; i <= bottom - top; ++i) buckets_[i] = 0;
   std::uint16_t count = 0;
   std::uint32_t refused = 0;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
@@ -83,7 +89,7 @@ bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
     ++refused;
   }
   if (refused != 0) {
-    const std::uint16_t capacity = storage_.facets.capacity();
+    const std::uint16_t capacity = facets_.capacity();
     note({Code::pool_exhausted, "facets", "", 0, top, capacity + refused, capacity});
     if constexpr (kOptions.statistics) vsg_.statistics().facets_left_out += refused;
   }
@@ -96,11 +102,11 @@ bool Frame<kOptions>::file_facet(std::uint16_t face, std::uint16_t top, std::uin
   reader_.select(face);
   const FacetExtent extent = reader_.extent();
   if (extent.empty() || extent.end_line <= top || extent.first_line >= bottom) return true;
-  if (extent.right <= 0 || extent.left >= storage_.screen.width) return true;
-  if (count == storage_.facets.capacity()) return false;
+  if (extent.right <= 0 || extent.left >= screen_.width) return true;
+  if (count == facets_.capacity()) return false;
   const std::int32_t first = extent.first_line > top ? extent.first_line : top;
-  std::uint16_t& bucket = storage_.buckets[static_cast<std::size_t>(first - top + 1)];
-  storage_.facets[++count] = {bucket, face};
+  std::uint16_t& bucket = buckets_[static_cast<std::size_t>(first - top + 1)];
+  facets_[++count] = {bucket, face};
   bucket = count;
   return true;
 }
@@ -132,8 +138,8 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
 template <FrameOptions kOptions>
 bool Frame<kOptions>::begin_facets(std::uint16_t line) {
   const std::size_t bucket = static_cast<std::size_t>(line - (planned_ - height_) + 1);
-  for (std::uint16_t at = storage_.buckets[bucket]; at != 0; at = storage_.facets[at].next) {
-    if (begin_facet(storage_.facets[at].face, line) == Room::no_edges) return false;
+  for (std::uint16_t at = buckets_[bucket]; at != 0; at = facets_[at].next) {
+    if (begin_facet(facets_[at].face, line) == Room::no_edges) return false;
   }
   return true;
 }
@@ -154,7 +160,7 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   if (material.shading == MaterialRecord::kFlat) {
     color = lights().shade(mesh.face_normals[reader_.face().mesh_face], material, flip);
   }
-  return vsg_.add(face, line, {flat_payload(storage_.screen.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
+  return vsg_.add(face, line, {flat_payload(screen_.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
 }
 
 template <FrameOptions kOptions>

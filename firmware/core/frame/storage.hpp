@@ -47,7 +47,7 @@ class FrameMemory {
   Pool<EdgeBlock, kBudget.edges> edges_;
   Pool<SegmentBlock, kBudget.segments> segments_;
   Pool<SegmentShade, kBudget.gouraud ? kBudget.segments : 0> shades_;
-  Pool<ActiveSegment, kBudget.segments> active_;
+  Pool<ActiveSegment, kBudget.active == 0 ? kBudget.segments : kBudget.active> active_;
   Pool<std::int16_t, kBudget.samples> samples_[2];
   Pool<ImpliedEdge, kBudget.implied> implied_;
 };

@@ -8,12 +8,13 @@ namespace {
 using Half = std::uint16_t __attribute__((may_alias));
 using Word = std::uint32_t __attribute__((may_alias));
 
-void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint32_t pair) {
+void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint16_t pixel) {
+  const std::uint32_t pair = std::uint32_t{pixel} << 16 | pixel;
   auto* at = reinterpret_cast<Half*>(line) + left;
   auto* const end = reinterpret_cast<Half*>(line) + right;
-  if ((left & 1u) != 0) *at++ = static_cast<std::uint16_t>(pair);
+  if ((left & 1u) != 0) *at++ = pixel;
   for (; end - at >= 2; at += 2) *reinterpret_cast<Word*>(at) = pair;
-  if (at != end) *at = static_cast<std::uint16_t>(pair);
+  if (at != end) *at = pixel;
 }
 
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint32_t part, std::uint32_t whole) {
@@ -48,7 +49,7 @@ void Painter::span(const VisibleSpan& span) {
   fill(span.left, span.right, span.payload);
 }
 
-void Painter::fill(std::uint32_t left, std::uint32_t right, std::uint32_t payload) {
+void Painter::fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload) {
   if (screen_.format == PixelFormat::rgb565) return fill_pairs(out_, left, right, payload);
   for (std::uint32_t x = left; x < right; ++x) put_grey(x, payload);
 }

@@ -25,14 +25,14 @@ class Painter {
   struct Ramp {
     std::int32_t value, step;
   };
-  void fill(std::uint32_t left, std::uint32_t right, std::uint32_t payload);
+  void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
   void gouraud(const VisibleSpan& span);
   void put_grey(std::uint32_t x, std::uint32_t grey);
 
   Screen screen_;
   std::uint8_t* out_ = nullptr;
   std::uint16_t line_ = 0;
-  std::uint32_t background_ = 0;  // payload
+  std::uint16_t background_ = 0;  // payload
 };
 
 }  // namespace spanline

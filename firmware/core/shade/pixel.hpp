@@ -19,11 +19,9 @@ constexpr std::uint8_t luminance(const Rgb8& c) {
   return static_cast<std::uint8_t>((77u * c.r + 150u * c.g + 29u * c.b + 128u) >> 8);
 }
 
-// A flat colour as the painter fills it: two RGB565 pixels in wire order, or the luminance.
-constexpr std::uint32_t flat_payload(PixelFormat format, const Rgb8& c) {
-  if (format != PixelFormat::rgb565) return luminance(c);
-  const std::uint32_t pixel = rgb565_wire(c.r, c.g, c.b);
-  return pixel | pixel << 16;
+// A flat colour as the painter fills it: an RGB565 pixel in wire order, or the luminance.
+constexpr std::uint16_t flat_payload(PixelFormat format, const Rgb8& c) {
+  return format == PixelFormat::rgb565 ? rgb565_wire(c.r, c.g, c.b) : luminance(c);
 }
 
 // Bayer's 8 x 8 matrix (1973), 0 … 63: the bits of x ^ y and y, reversed and interleaved.

@@ -51,11 +51,13 @@ struct PolygonBlock {
   std::uint16_t first_segment;  // polygon segment list; also free storage
   std::uint16_t next_changing;
   std::uint16_t waiting;  // edge blocks that name this polygon
-  std::uint32_t payload;  // for shading: the flat colour
+  std::uint16_t payload;  // for shading: the flat colour
+  std::uint8_t flags;
   DepthRamp ramp;         // a triangle's plane: for line 0,
   std::uint32_t down;     // and the step a line
-  std::uint8_t flags;
 };
+
+static_assert(sizeof(PolygonBlock) == 24 && sizeof(SegmentBlock) == 60);
 
 // The one way to segment blocks. It counts references as the seed's machine would make them (the listing's Q(·,19) and
 // Q(·,20)): a block is read whole into a register, looked at and changed there, and written back when another one is needed.

@@ -50,6 +50,7 @@ class DepthSorter {
   void run(std::uint16_t line, Sink& sink) {
     line_ = line;
     active_count_ = 0;
+    left_out_ = 0;
     pending_ = {};
     pending_left_ = 0;
     p_.samples->begin_line(p_.screen.width);
@@ -66,6 +67,8 @@ class DepthSorter {
   }
 
   Counters& statistics() { return counters_; }
+  // How many segments the active list had no room for on the line made last.
+  std::uint32_t left_out() const { return left_out_; }
   void clear_statistics() { counters_ = {}; }
 
  private:
@@ -84,7 +87,7 @@ class DepthSorter {
   std::int32_t settle(std::int32_t left, std::int32_t right, Sink& sink) {
     for (;;) {
       Box box;
-      right = compare_all(left, right, box);
+      if (!compare_all(left, right, box)) continue;
       if (box.count <= 1) {
         decide(left, right, box, sink);
         return right;
@@ -93,9 +96,9 @@ class DepthSorter {
     }
   }
 
-  // The depth comparator: every segment of the span, first the active ones, then those that begin in it. Returns the right
-  // sample point, moved left where the span is known to need that.
-  std::int32_t compare_all(std::int32_t left, std::int32_t right, Box& box) {
+  // The depth comparator: every segment of the span, first the active ones, then those that begin in it. False where it has to
+  // be done again because the active list was full: `right` is then further left, or the list is another.
+  bool compare_all(std::int32_t left, std::int32_t& right, Box& box) {
     for (std::int32_t i = 0; i < active_count_; ++i) {
       if constexpr (kOptions.statistics) ++counters_.active_references;
       consider(p_.active[static_cast<std::size_t>(i)], left, right, box);
@@ -104,15 +107,38 @@ class DepthSorter {
     std::int32_t key;
     while (p_.x_sort->peek(key) && key < right) {
       if (key > left && box.count > 1) break;  // what begins further on cannot cover the span any more
-      ActiveSegment* fresh = take();
-      if (fresh != nullptr) consider(*fresh, left, right, box);
+      if (active_count_ == p_.active.capacity()) {
+        if (key <= left) {
+          leave_one_out(take());
+        } else {
+          right = key;
+        }
+        return false;
+      }
+      const ActiveSegment entry = take();
+      if (entry.left >= entry.right) continue;
+      ActiveSegment& slot = p_.active[static_cast<std::size_t>(active_count_++)];
+      slot = entry;
+      consider(slot, left, right, box);
     }
-    return right;
+    return true;
   }
 
-  // Takes the next block off the X-sort list: notes where it lies on this line, steps it to the next and files it there. Null
-  // where it covers no pixel.
-  ActiveSegment* take() {
+  // More segments lie over one pixel than the active list holds: of them and the new one, the highest face is left out.
+  void leave_one_out(const ActiveSegment& fresh) {
+    if (fresh.left >= fresh.right) return;
+    ++left_out_;
+    const auto face = [this](const ActiveSegment& entry) { return (*p_.polygons)[entry.polygon].face; };
+    ActiveSegment* last = &p_.active[0];
+    for (std::int32_t i = 1; i < active_count_; ++i) {
+      ActiveSegment& entry = p_.active[static_cast<std::size_t>(i)];
+      if (face(entry) > face(*last)) last = &entry;
+    }
+    if (face(fresh) < face(*last)) *last = fresh;
+  }
+
+  // Takes the next block off the X-sort list: notes where it lies on this line, steps it to the next and files it there.
+  ActiveSegment take() {
     const std::uint16_t index = p_.x_sort->pop();
     SegmentBlock& block = p_.store->held(index);
     ActiveSegment entry;
@@ -135,10 +161,7 @@ class DepthSorter {
       if constexpr (kOptions.statistics) ++(at_end ? counters_.appended : counters_.searched_back);
     }
     p_.store->store(index);
-    if (entry.left >= entry.right) return nullptr;
-    ActiveSegment& slot = p_.active[static_cast<std::size_t>(active_count_++)];
-    slot = entry;
-    return &slot;
+    return entry;
   }
 
   std::int32_t on_screen(std::int32_t column) const {
@@ -320,7 +343,7 @@ class DepthSorter {
 
   Parts p_{};
   Counters counters_;
-  std::uint16_t line_ = 0;
+  std::uint16_t line_ = 0, left_out_ = 0;
   std::int32_t active_count_ = 0;
   const ActiveSegment* fresh_ = nullptr;  // the first that was taken in this span
   ActiveSegment pending_{};

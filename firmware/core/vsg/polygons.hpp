@@ -17,9 +17,9 @@ class Polygons {
   }
 
   // A block for a face, not yet active and without segments; 0 where none is left.
-  std::uint16_t open(std::uint16_t face, std::uint8_t flags, std::uint32_t payload) {
+  std::uint16_t open(std::uint16_t face, std::uint8_t flags, std::uint16_t payload) {
     const std::uint16_t index = blocks_.take();
-    if (index != 0) blocks_[index] = {face, 0, 0, 0, payload, {}, 0, flags};
+    if (index != 0) blocks_[index] = {face, 0, 0, 0, payload, flags, {}, 0};
     return index;
   }
   void close(std::uint16_t index) {

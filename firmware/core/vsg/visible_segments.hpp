@@ -10,7 +10,7 @@
 
 namespace spanline {
 
-// The pools, erased. active holds as many as segments; shades as many or none at all.
+// The pools, erased. shades holds as many as segments or none at all.
 struct VsgStorage {
   PoolRef<PolygonBlock> polygons;
   PoolRef<EdgeBlock> edges;
@@ -24,7 +24,7 @@ struct VsgStorage {
 
 // What a facet looks like: worked out by shade, carried by vsg.
 struct FacetLook {
-  std::uint32_t payload = 0;
+  std::uint16_t payload = 0;
   bool gouraud = false;
 };
 
@@ -92,6 +92,7 @@ class VisibleSegments {
   SegmentEliminator<kOptions.statistics, Sort> eliminator_;
   DepthSorter<kOptions, Sort> sorter_;
   FacetReader* reader_ = nullptr;
+  std::uint16_t active_capacity_ = 0;
   std::int32_t bottom_ = 0;
   Status status_;
 };
@@ -107,7 +108,8 @@ VisibleSegments<kOptions>::VisibleSegments(const VsgStorage& storage, const Scre
       generator_(&store_, &polygons_),
       eliminator_(&store_, &polygons_, &x_sort_),
       sorter_({&store_, &polygons_, &x_sort_, &samples_, &implied_, storage.active, reader, screen}),
-      reader_(reader) {
+      reader_(reader),
+      active_capacity_(storage.active.capacity()) {
   if constexpr (kOptions.x_sort == XSort::buckets) x_sort_.use(static_cast<typename Sort::Buckets*>(storage.buckets));
 }
 
@@ -228,13 +230,18 @@ Room VisibleSegments<kOptions>::enter_waiting(std::int32_t line) {
 template <VsgOptions kOptions>
 template <typename Sink>
 Room VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
-  const Room room = enter_waiting(line);
+  Room room = enter_waiting(line);
   if constexpr (kOptions.statistics) note_pools();
   while (const std::uint16_t polygon = polygons_.pop_changing()) {
     const std::uint16_t face = polygons_[polygon].face;
     if (!eliminator_.pack(polygon)) status_ = {Code::unclosed, "face", "contours", face, line, 0, 0};
   }
   sorter_.run(line, sink);
+  if (sorter_.left_out() != 0) {
+    const std::uint32_t capacity = active_capacity_;
+    status_ = {Code::pool_exhausted, "active", "", 0, line, capacity + sorter_.left_out(), capacity};
+    room = Room::left_out;
+  }
   x_sort_.begin_line();
   return room;
 }
