@@ -120,7 +120,7 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   }
   const std::uint16_t line = band_.top;
   if (line == planned_) plan(line, band_.bottom);
-  vsg_.begin_line();
+  vsg_.begin_line(line);
   // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files none.
   while (!begin_facets(line)) {
     height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);

@@ -19,7 +19,8 @@ namespace spanline {
 struct ActiveSegment {
   std::uint16_t segment = 0;  // 0: none, the background
   std::uint16_t polygon = 0;
-  std::int16_t left = 0;             // columns on this line, clipped to the screen
+  std::uint16_t left : 15 = 0;       // columns on this line, clipped to the screen
+  std::uint16_t fresh : 1 = 0;       // taken in the present span: its block is in the comparator's registers still
   std::uint16_t right : 15 = 0;
   std::uint16_t has_ramp : 1 = 0;
   DepthRamp ramp;
@@ -103,7 +104,6 @@ class DepthSorter {
       if constexpr (kOptions.statistics) ++counters_.active_references;
       consider(p_.active[static_cast<std::size_t>(i)], left, right, box);
     }
-    fresh_ = &p_.active[static_cast<std::size_t>(active_count_)];
     std::int32_t key;
     while (p_.x_sort->peek(key) && key < right) {
       if (key > left && box.count > 1) break;  // what begins further on cannot cover the span any more
@@ -144,7 +144,8 @@ class DepthSorter {
     ActiveSegment entry;
     entry.segment = index;
     entry.polygon = block.polygon;
-    entry.left = static_cast<std::int16_t>(on_screen(block.half[0].column));
+    entry.left = static_cast<std::uint16_t>(on_screen(block.half[0].column)) & 0x7fffu;
+    entry.fresh = 1;
     entry.right = static_cast<std::uint16_t>(on_screen(block.half[1].column)) & 0x7fffu;
     if constexpr (kOptions.statistics) counters_.edge_crossings += 2;
     block.half[0].step();
@@ -172,8 +173,10 @@ class DepthSorter {
   // it to the list of those that are out: no reference.
   void retire(std::int32_t left) {
     std::int32_t kept = 0;
+    pending_.fresh = 0;
     for (std::int32_t i = 0; i < active_count_; ++i) {
-      const ActiveSegment entry = p_.active[static_cast<std::size_t>(i)];
+      ActiveSegment entry = p_.active[static_cast<std::size_t>(i)];
+      entry.fresh = 0;
       if (entry.right > left) p_.active[static_cast<std::size_t>(kept++)] = entry;
     }
     active_count_ = kept;
@@ -217,11 +220,14 @@ class DepthSorter {
     return {ramp(a), ramp(b), from, to, (*p_.polygons)[a.polygon].face < (*p_.polygons)[b.polygon].face};
   }
 
+  const SegmentBlock& look_at(const ActiveSegment& entry) {
+    return entry.fresh != 0 ? p_.store->held(entry.segment) : p_.store->fetch(entry.segment);
+  }
+
   const DepthRamp& ramp(ActiveSegment& entry) {
     if (entry.has_ramp == 0) {
       const bool triangle = ((*p_.polygons)[entry.polygon].flags & PolygonBlock::kTriangle) != 0;
-      // What was taken in this very span is in the comparator's registers still.
-      if (!triangle && &entry < fresh_) p_.store->fetch(entry.segment);
+      if (!triangle) look_at(entry);
       entry.ramp = ramp_of(entry);
       entry.has_ramp = 1;
     }
@@ -305,12 +311,12 @@ class DepthSorter {
     const bool ends = pending_.segment != 0 && pending_.right == column;
     if (!begins && !ends) return note_crossing(pending_.segment, next.segment, column);
     std::int32_t sample = kNoSample;
-    if (begins) sample = next_column(next.segment, 0);
-    if (sample == kNoSample && ends) sample = next_column(pending_.segment, 1);
+    if (begins) sample = next_column(next, 0);
+    if (sample == kNoSample && ends) sample = next_column(pending_, 1);
     return sample;
   }
-  std::int32_t next_column(std::uint16_t segment, unsigned side) {
-    const SegmentHalf& half = p_.store->held(segment).half[side];
+  std::int32_t next_column(const ActiveSegment& entry, unsigned side) {
+    const SegmentHalf& half = look_at(entry).half[side];
     return half.empty() ? kNoSample : half.column;
   }
   void keep(std::int32_t sample) {
@@ -345,7 +351,6 @@ class DepthSorter {
   Counters counters_;
   std::uint16_t line_ = 0, left_out_ = 0;
   std::int32_t active_count_ = 0;
-  const ActiveSegment* fresh_ = nullptr;  // the first that was taken in this span
   ActiveSegment pending_{};
   std::int32_t pending_left_ = 0;
 };

@@ -38,6 +38,13 @@ std::uint16_t EdgeTable::pop(std::int32_t line) {
   return index;
 }
 
+bool EdgeTable::enters(std::uint16_t polygon, std::int32_t line) const {
+  for (std::uint16_t at = first_; at != 0 && blocks_[at].edge.first_line() <= line; at = blocks_[at].next) {
+    if (blocks_[at].polygons[0] == polygon || blocks_[at].polygons[1] == polygon) return true;
+  }
+  return false;
+}
+
 void EdgeTable::forget(std::uint16_t polygon) {
   std::uint16_t* link = &first_;
   while (*link != 0) {

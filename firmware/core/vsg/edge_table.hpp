@@ -24,6 +24,9 @@ class EdgeTable {
   const EdgeBlock& operator[](std::uint16_t index) const { return blocks_[index]; }
   void give(std::uint16_t index) { blocks_.give(index); }
 
+  // Whether an edge of the polygon enters on `line`, the next line that edges are popped for.
+  bool enters(std::uint16_t polygon, std::int32_t line) const;
+
   // Removes a polygon from every block.
   void forget(std::uint16_t polygon);
 

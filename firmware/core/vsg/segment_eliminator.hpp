@@ -16,8 +16,9 @@ class SegmentEliminator {
       : store_(store), polygons_(polygons), x_sort_(x_sort) {}
 
   // Before any edge enters on a line: gives back what ended on the line before, so that a line never needs more blocks than it
-  // has segments. True where nothing is left of the polygon and its block is given back too.
-  bool release(std::uint16_t index) {
+  // has segments. True where nothing is left of the polygon and its block is given back too. A single block whose edges both
+  // ended is kept for those that take their place on this line.
+  bool release(std::uint16_t index, const EdgeTable& edges, std::int32_t line) {
     PolygonBlock& polygon = (*polygons_)[index];
     if (polygon.first_segment == 0) return false;
     if ((polygon.flags & PolygonBlock::kFinished) != 0) {  // known from the register: no need to look at the block
@@ -26,7 +27,8 @@ class SegmentEliminator {
       return true;
     }
     const SegmentBlock& first = store_->held(polygon.first_segment);
-    if (first.polygon_next != 0 || (first.half[0].empty() && first.half[1].empty())) {
+    const bool ended = first.half[0].empty() && first.half[1].empty();
+    if (first.polygon_next != 0 || (ended && !edges.enters(index, line))) {
       trim(polygon, (close_gaps(polygon.first_segment) + 1) / 2);
     }
     const bool over = polygon.first_segment == 0 && polygon.waiting == 0;

@@ -47,8 +47,8 @@ class VisibleSegments {
   void begin_band(std::int32_t bottom);
 
   // Before the first facet of a line is put in.
-  void begin_line() {
-    polygons_.filter_changing([this](std::uint16_t polygon) { return !eliminator_.release(polygon); });
+  void begin_line(std::int32_t line) {
+    polygons_.filter_changing([&](std::uint16_t polygon) { return !eliminator_.release(polygon, edges_, line); });
   }
 
   // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as FacetReader::read.

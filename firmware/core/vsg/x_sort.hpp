@@ -143,7 +143,7 @@ class XSortList {
       next_last_ = index;
     } else {
       store_->held(after).previous = index;
-      store_->store(after);
+      if (after != next_last_) store_->store(after);
       if (before != 0) store_->store(before);
     }
   }
