@@ -48,14 +48,14 @@ class Frame {
   // picture then lacks the highest face numbers there, from that line to the end of its band.
   const Status& status() const { return status_; }
 
-  // For VsgOptions::statistics only.
-  const Statistics& statistics()
-    requires(kOptions.statistics)
-  {
-    Statistics& s = vsg_.statistics();
-    s.bands = bands_;
-    s.max_facets = most_facets_;
-    s.max_vertices = vertices_;
+  // Statistics where VsgOptions::statistics is set, NoStatistics otherwise.
+  const auto& statistics() {
+    auto& s = vsg_.statistics();
+    if constexpr (kOptions.statistics) {
+      s.bands = bands_;
+      s.max_facets = most_facets_;
+      s.max_vertices = vertices_;
+    }
     return s;
   }
   void set_tap(const SpanTap& tap) { tap_ = tap; }

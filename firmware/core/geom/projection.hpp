@@ -81,8 +81,9 @@ struct Projection {
     return code;
   }
 
-  // Projects a point inside all planes (outcode 0): each coordinate is the nearest 1/16 px to the exact quotient or, by the
-  // rounding of the matrix, its neighbour.
+  // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the nearest
+  // 1/16 px to the exact one or, by the rounding of the matrix, its neighbour, and depth is within 1 of 65536; nearer, errors
+  // grow as 1 / distance. The scene compiler picks the world's scale so that the near plane lies further off.
   ScreenPoint operator()(const ClipPoint& p) const {
     const int up = std::countl_zero(static_cast<std::uint32_t>(p.w)) - 1;
     const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(p.w) << up));

@@ -77,19 +77,15 @@ Status check_instance(const SceneRecord& scene, std::uint32_t index) {
     if (!within_world(c)) return bad("InstanceRecord", "transform.translation", index);
   }
   const MeshRecord& mesh = scene.meshes[instance.mesh];
-  if ((instance.flags & InstanceRecord::kScreen) != 0 && instance.material == InstanceRecord::kOwnMaterials) {
-    for (const FaceGroup& group : mesh.groups) {
-      if (scene.materials[group.material].shading != MaterialRecord::kUnlit) return bad("InstanceRecord", "material (screen)", index);
-    }
+  const bool own = instance.material == InstanceRecord::kOwnMaterials;
+  if (!own && instance.material >= scene.materials.size()) {
+    return bad("InstanceRecord", "material", index, instance.material, scene.materials.size());
   }
-  if (instance.material != InstanceRecord::kOwnMaterials) {
-    if (instance.material >= scene.materials.size()) {
-      return bad("InstanceRecord", "material", index, instance.material, scene.materials.size());
-    }
-    return check_material(mesh, scene.materials[instance.material], "InstanceRecord", index);
-  }
+  const bool on_screen = (instance.flags & InstanceRecord::kScreen) != 0;  // where no light falls
   for (const FaceGroup& group : mesh.groups) {
-    const Status status = check_material(mesh, scene.materials[group.material], "InstanceRecord", index);
+    const MaterialRecord& material = scene.materials[own ? group.material : instance.material];
+    if (on_screen && material.shading != MaterialRecord::kUnlit) return bad("InstanceRecord", "material (screen)", index);
+    const Status status = check_material(mesh, material, "InstanceRecord", index);
     if (!status.ok()) return status;
   }
   return {};

@@ -63,9 +63,8 @@ class VisibleSegments {
   const Status& status() const { return status_; }
   void clear_status() { status_ = {}; }
 
-  // The counters so far; for VsgOptions::statistics only.
-  Statistics& statistics()
-    requires(kOptions.statistics);
+  // The counters so far; all but none of them where VsgOptions::statistics is not set.
+  auto& statistics();
   void clear_statistics() {
     sorter_.statistics() = {};
     store_.clear_counters();
@@ -254,13 +253,13 @@ void VisibleSegments<kOptions>::note_pools() {
 }
 
 template <VsgOptions kOptions>
-Statistics& VisibleSegments<kOptions>::statistics()
-  requires(kOptions.statistics)
-{
-  Statistics& s = sorter_.statistics();
-  s.segment_references = store_.references();
-  s.segment_blocks = store_.taken();
-  s.max_segments = store_.most();
+auto& VisibleSegments<kOptions>::statistics() {
+  auto& s = sorter_.statistics();
+  if constexpr (kOptions.statistics) {
+    s.segment_references = store_.references();
+    s.segment_blocks = store_.taken();
+    s.max_segments = store_.most();
+  }
   return s;
 }
 

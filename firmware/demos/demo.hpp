@@ -1,0 +1,87 @@
+// Demos: board-independent scenes that move. Tables in flash (made by `spanline assets`), poses by integer arithmetic from the
+// frame number alone, so frame k is the same picture on every core and on the host.
+//
+//   constexpr Screen kScreen{320, 240, PixelFormat::rgb565};
+//   constexpr demos::Demo kDemo = demos::chosen(kScreen);     // demos/chosen.hpp; SPANLINE_DEMO=teapot at build time
+//   FrameMemory<demos::budget_for(kDemo, kScreen)> memory;
+//   demos::Stage stage;                                       // in RAM, for as long as frames are drawn
+//   Status status = stage.begin(kDemo, kScreen);              // once
+//   stage.show(k);                                            // before frame k: never while a frame is being drawn
+//   frame.prepare(stage.view(), stage.camera(), rest);
+#pragma once
+
+#include <cstdint>
+
+#include "core/frame/budget.hpp"
+#include "core/geom/screen.hpp"
+#include "core/scene/scene_view.hpp"
+
+namespace spanline::demos {
+
+inline constexpr std::uint32_t kMaxInstances = 12;
+
+// What a pose may change: the scene's own records in the beginning of each frame.
+struct Moving {
+  Slice<InstanceRecord> instances;
+  CameraRecord& camera;
+};
+
+// One demo laid out for one shape of screen.
+struct Demo {
+  const char* name;
+  Budget budget;  // its pools; the screen's fields are not used
+  const SceneRecord* scene;
+  const CameraRecord* camera;
+  const Fx16 (*target)[3];      // world, what the camera looks at
+  std::uint16_t width, height;  // px, the picture that `camera` was made for: every screen shows at least that
+  void (*pose)(std::uint32_t frame, const Demo& demo, const Moving& moving);
+};
+
+// The layouts of one demo.
+struct Layouts {
+  Demo wide;   // as wide as high or wider
+  Demo tall;   // higher than wide
+  Demo small;  // fewer than kSmallHeight lines: closer, simpler, more contrast
+
+  static constexpr std::uint16_t kSmallHeight = 128;  // px
+  constexpr const Demo& framed_for(const Screen& screen) const {
+    return screen.height < kSmallHeight ? small : screen.height > screen.width ? tall : wide;
+  }
+};
+
+// The memory that a demo needs on a screen.
+constexpr Budget budget_for(const Demo& demo, const Screen& screen) {
+  Budget budget = demo.budget;
+  budget.width = screen.width;
+  budget.height = screen.height;
+  budget.format = screen.format;
+  return budget;
+}
+
+// A demo on the stage: the records that move. About 700 bytes.
+class Stage {
+ public:
+  Stage() = default;
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  // Puts on `demo`, which is copied, framed for `screen`, and shows frame 0. Fails as SceneView::validate does, or with
+  // bad_record ("instances") where the scene has more than kMaxInstances.
+  Status begin(const Demo& demo, const Screen& screen);
+
+  // Moves everything to where it is in frame `frame`; any order of frames will do.
+  void show(std::uint32_t frame);
+
+  const SceneView& view() const { return view_; }
+  const CameraRecord& camera() const { return camera_; }
+
+ private:
+  Demo demo_{};
+  Fx12 focal_;  // px on this screen
+  InstanceRecord instances_[kMaxInstances]{};
+  SceneRecord scene_{};
+  SceneView view_;
+  CameraRecord camera_{};
+};
+
+}  // namespace spanline::demos
