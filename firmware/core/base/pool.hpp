@@ -7,9 +7,9 @@
 
 namespace spanline {
 
-// The view that algorithms take of somebody's static array: capacity is min(array, limit), so that a host option can shrink
-// any pool at run time. Blocks are named by 16-bit indices 1 … capacity; element 0 is the sink: the null block of every list,
-// writable so that no list operation needs a null test.
+// The view that algorithms take of somebody's static array: capacity is min(array, limit), so that a host option can
+// shrink any pool at run time. Blocks are named by 16-bit indices 1 … capacity; element 0 is the sink: the null block
+// of every list, writable so that no list operation needs a null test.
 template <typename T>
 class PoolRef {
  public:
@@ -40,8 +40,8 @@ class Pool {
   T items_[static_cast<std::size_t>(N) + 1];
 };
 
-// Free storage over a pool, threaded through the block's own link field. Blocks never used before are handed out in order, so
-// that clearing costs nothing.
+// Free storage over a pool, threaded through the block's own link field. Blocks never used before are handed out in
+// order, so that clearing costs nothing.
 template <typename T, std::uint16_t T::*kLink>
 class FreeList {
  public:

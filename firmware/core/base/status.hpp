@@ -9,12 +9,13 @@ enum class Code : std::uint8_t {
   ok,
   bad_record,      // a flash record holds a value that the engine cannot draw; `where` and `field` name it
   bad_argument,    // a caller's size, band or camera is out of range
-  pool_exhausted,  // one line needed more blocks than `where` (a pool's name) has; the highest face numbers were left out
-  unclosed,        // a polygon had an odd number of edges on a line (seed 1, listing: UNCLOSED POLYGON); index is the face
+  pool_exhausted,  // one line needed more blocks than `where` (a pool's name) has; the highest face numbers were left
+                   // out
+  unclosed,  // a polygon had an odd number of edges on a line (seed 1, listing: UNCLOSED POLYGON); index is the face
 };
 
-// The outcome of a fallible call: a code, its place and the figures a person needs to mend it. Trivially copyable, no text
-// of its own: `where` and `field` are string literals in flash.
+// The outcome of a fallible call: a code, its place and the figures a person needs to mend it. Trivially copyable, no
+// text of its own: `where` and `field` are string literals in flash.
 struct Status {
   Code code = Code::ok;
   const char* where = "";    // record type or pool name

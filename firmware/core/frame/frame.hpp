@@ -12,7 +12,9 @@ namespace spanline {
 struct Band {
   std::uint16_t top = 0, bottom = 0;
   constexpr bool empty() const { return top >= bottom; }
-  constexpr std::uint16_t lines() const { return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top); }
+  constexpr std::uint16_t lines() const {
+    return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top);
+  }
   friend constexpr bool operator==(const Band&, const Band&) = default;
 };
 
@@ -32,20 +34,20 @@ class Frame {
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 
-  // Makes ready the longest run of lines from rest.top on whose waiting facets fit their pool, at most `rest`, and returns it.
-  // Scene, and what its records point to, must stay as they are until the band is finished; between bands of one frame too.
-  // A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a status, where rest or the camera
-  // is out of range.
+  // Makes ready the longest run of lines from rest.top on whose waiting facets fit their pool, at most `rest`, and
+  // returns it. Scene, and what its records point to, must stay as they are until the band is finished; between bands
+  // of one frame too. A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a
+  // status, where rest or the camera is out of range.
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
 
-  // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte boundary
-  // (else status bad_argument and false). False, and nothing written, when the band is finished.
+  // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte
+  // boundary (else status bad_argument and false). False, and nothing written, when the band is finished.
   bool next_line(Slice<std::uint8_t> out);
 
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
 
-  // Of the frame so far: what went wrong first. pool_exhausted means that a line needed more blocks than a pool has: the
-  // picture then lacks the highest face numbers there, from that line to the end of its band.
+  // Of the frame so far: what went wrong first. pool_exhausted means that a line needed more blocks than a pool has:
+  // the picture then lacks the highest face numbers there, from that line to the end of its band.
   const Status& status() const { return status_; }
 
   // Statistics where VsgOptions::statistics is set, NoStatistics otherwise.

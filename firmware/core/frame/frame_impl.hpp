@@ -62,8 +62,8 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   return band_;
 }
 
-// Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The run planned last, and twice
-// that, is where the search begins.
+// Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The run planned last,
+// and twice that, is where the search begins.
 template <FrameOptions kOptions>
 std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
   std::uint32_t lines = static_cast<std::uint32_t>(bottom - top);
@@ -115,13 +115,15 @@ template <FrameOptions kOptions>
 bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
   if (out.size() < line_bytes() || reinterpret_cast<std::uintptr_t>(out.data()) % 4 != 0) {
-    note({Code::bad_argument, "line", out.size() < line_bytes() ? "size" : "alignment", 0, band_.top, out.size(), line_bytes()});
+    note({Code::bad_argument, "line", out.size() < line_bytes() ? "size" : "alignment", 0, band_.top, out.size(),
+          line_bytes()});
     return false;
   }
   const std::uint16_t line = band_.top;
   if (line == planned_) plan(line, band_.bottom);
   vsg_.begin_line(line);
-  // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files none.
+  // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files
+  // none.
   while (!begin_facets(line)) {
     height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
     plan(line, static_cast<std::uint16_t>(line + (planned_ - line) / 2));
@@ -151,14 +153,18 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
   const bool flip = two_sided && !reader_.extent().front;
-  if (material.shading == MaterialRecord::kGouraud) {
+  if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours()) {
     const LightRig& rig = lights();
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };
     return vsg_.add(face, line, {0, true}, colour);
   }
   Rgb8 color = material.color;
-  if (material.shading == MaterialRecord::kFlat) {
-    color = lights().shade(mesh.face_normals[reader_.face().mesh_face], material, flip);
+  if (material.shading != MaterialRecord::kUnlit) {
+    // Without room for colours a Gouraud facet is flat; where the mesh has no face normals its first corner's serves.
+    const FaceRef& ref = reader_.face();
+    const Normal10& normal =
+        mesh.face_normals.empty() ? mesh.vertex_normals[ref.corners[0]] : mesh.face_normals[ref.mesh_face];
+    color = lights().shade(normal, material, flip);
   }
   return vsg_.add(face, line, {flat_payload(screen_.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
 }

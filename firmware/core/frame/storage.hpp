@@ -12,8 +12,8 @@ struct WaitingFacet {
   std::uint16_t face;
 };
 
-// A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long as a
-// line fits.
+// A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
+// as a line fits.
 struct FrameStorage {
   Screen screen;
   PoolRef<WaitingFacet> facets;
@@ -35,8 +35,14 @@ class FrameMemory {
             facets_.ref(),
             buckets_.ref(),
             vertices_.ref(),
-            {polygons_.ref(), edges_.ref(), segments_.ref(), shades_.ref(), active_.ref(), {samples_[0].ref(), samples_[1].ref()},
-             implied_.ref(), nullptr}};
+            {polygons_.ref(),
+             edges_.ref(),
+             segments_.ref(),
+             shades_.ref(),
+             active_.ref(),
+             {samples_[0].ref(), samples_[1].ref()},
+             implied_.ref(),
+             nullptr}};
   }
 
  private:

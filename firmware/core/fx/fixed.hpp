@@ -5,7 +5,8 @@
 
 namespace spanline {
 
-// A signed fixed-point number with F fraction bits in 32 bits: value = raw / 2^F. Integer bits count the sign (Q16.16 = Fx16).
+// A signed fixed-point number with F fraction bits in 32 bits: value = raw / 2^F. Integer bits count the sign (Q16.16 =
+// Fx16).
 template <int F>
 struct Fixed {
   static constexpr int kFraction = F;

@@ -18,8 +18,8 @@ inline constexpr auto kReciprocalSeeds = [] {
 static_assert(kReciprocalSeeds[0] == 65408 && kReciprocalSeeds[255] == 32800);
 }  // namespace detail
 
-// 2^61 / w for w in [2^30, 2^31), at most 2^31 - 1, with a relative error below 2^-27. Two Newton steps from a 512-byte table
-// and no divide: one rule for every core, so that a projected vertex is the same everywhere.
+// 2^61 / w for w in [2^30, 2^31), at most 2^31 - 1, with a relative error below 2^-27. Two Newton steps from a 512-byte
+// table and no divide: one rule for every core, so that a projected vertex is the same everywhere.
 constexpr std::uint32_t reciprocal_normalised(std::uint32_t w) {
   std::uint32_t r = static_cast<std::uint32_t>(detail::kReciprocalSeeds[(w >> 22) & 255]) << 15;
   for (int step = 0; step < 2; ++step) {

@@ -16,8 +16,8 @@ struct Vector {
   std::int64_t v[3];  // any common scale
 };
 
-// Scales a vector to unit length in Q2.30; false where it vanishes. The components are first brought to 30 bits, so that their
-// squares fit 64.
+// Scales a vector to unit length in Q2.30; false where it vanishes. The components are first brought to 30 bits, so
+// that their squares fit 64.
 bool normalise(const Vector& in, Fx30 (&out)[3]) {
   std::uint64_t largest = 0;
   for (const std::int64_t c : in.v) largest |= static_cast<std::uint64_t>(c < 0 ? -c : c);
@@ -27,7 +27,8 @@ bool normalise(const Vector& in, Fx30 (&out)[3]) {
   for (int i = 0; i < 3; ++i) c[i] = up >= 0 ? in.v[i] * (std::int64_t{1} << up) : in.v[i] >> -up;
   const auto square = static_cast<std::uint64_t>(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
   const auto length = static_cast<std::int64_t>(square_root(square));
-  for (int i = 0; i < 3; ++i) out[i].raw = static_cast<std::int32_t>(round_div<std::int64_t>(c[i] * Fx30::kOne, length));
+  for (int i = 0; i < 3; ++i)
+    out[i].raw = static_cast<std::int32_t>(round_div<std::int64_t>(c[i] * Fx30::kOne, length));
   return true;
 }
 
@@ -50,7 +51,9 @@ void scale_to_world(const Transform& transform, std::int32_t unit, std::int32_t 
 }
 
 bool is_mirrored(const Transform& transform) {
-  const auto m = [&](int i, int j) { return std::int64_t{transform.matrix[i][j].raw} >> 6; };  // Q22.10: products fit 64
+  const auto m = [&](int i, int j) {
+    return std::int64_t{transform.matrix[i][j].raw} >> 6;
+  };  // Q22.10: products fit 64
   const std::int64_t determinant = m(0, 0) * (((m(1, 1) * m(2, 2)) >> 10) - ((m(1, 2) * m(2, 1)) >> 10)) -
                                    m(0, 1) * (((m(1, 0) * m(2, 2)) >> 10) - ((m(1, 2) * m(2, 0)) >> 10)) +
                                    m(0, 2) * (((m(1, 0) * m(2, 1)) >> 10) - ((m(1, 1) * m(2, 0)) >> 10));
@@ -59,8 +62,8 @@ bool is_mirrored(const Transform& transform) {
 
 }  // namespace
 
-Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3], Fx12 focal, Fx16 near_plane, Fx16 far_plane,
-               CameraRecord& camera) {
+Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3], Fx12 focal, Fx16 near_plane,
+               Fx16 far_plane, CameraRecord& camera) {
   CameraRecord result;
   Vector back, upward;
   for (int i = 0; i < 3; ++i) {
@@ -106,7 +109,8 @@ ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const
     for (int k = 0; k < 3; ++k) sum += shift_round(std::int64_t{transform.matrix[i][k].raw} * mesh.origin[k].raw, 16);
     from_eye[i] = saturate32(sum + transform.translation[i].raw - camera.eye[i].raw);
   }
-  // focal px in units of the guard band: focal / kGuardPx, so Q20.12 becomes Q10.22. The screen's y points down, w ahead.
+  // focal px in units of the guard band: focal / kGuardPx, so Q20.12 becomes Q10.22. The screen's y points down, w
+  // ahead.
   const std::int64_t focal = camera.focal.raw;
   const std::int64_t scale[3] = {focal, -focal, -(std::int64_t{kGuardPx} << 12)};
   ClipMatrix out;

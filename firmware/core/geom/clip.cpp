@@ -22,10 +22,10 @@ std::int64_t clip_distance(const ClipPoint& p, std::uint8_t plane, const Project
   }
 }
 
-// Where the edge from an inside to an outside point meets the plane. Always asked from inside to outside, so both faces of an
-// edge get the same vertex. distances: inside >= 0 > outside.
+// Where the edge from an inside to an outside point meets the plane. Always asked from inside to outside, so both faces
+// of an edge get the same vertex. distances: inside >= 0 > outside.
 ClipVertex clip_edge(const ClipVertex& inside, std::int64_t inside_distance, const ClipVertex& outside,
-                            std::int64_t outside_distance) {
+                     std::int64_t outside_distance) {
   const std::int64_t t = (inside_distance << 30) / (inside_distance - outside_distance);  // Q2.30; distances below 2^33
   const auto mix = [t](std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(a + (((std::int64_t{b} - a) * t) >> 30));
@@ -56,8 +56,8 @@ bool ContourClipper::next(ClipVertex& out) {
   }
 }
 
-// One vertex through one stage: first what the edge to it yields, then the vertex itself; so they are put on the stack the
-// other way round.
+// One vertex through one stage: first what the edge to it yields, then the vertex itself; so they are put on the stack
+// the other way round.
 void ContourClipper::pass(unsigned index, const ClipVertex& v) {
   const auto plane = static_cast<std::uint8_t>(1u << index);
   if ((planes_ & plane) == 0) return push(index + 1, v);

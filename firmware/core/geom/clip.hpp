@@ -1,5 +1,5 @@
-// Clipping of one contour to the view, a vertex at a time: Sutherland and Hodgman's re-entrant pipeline (1974), so that a
-// polygon of any number of sides needs no scratch memory.
+// Clipping of one contour to the view, a vertex at a time: Sutherland and Hodgman's re-entrant pipeline (1974), so that
+// a polygon of any number of sides needs no scratch memory.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ struct ClipVertex {
   Rgb8 color;
 };
 
-// Feeds one contour through the planes in `planes`, a stage a plane: for each corner in order feed(), then finish() once; after
-// each of these take what comes out with next() until it returns false.
+// Feeds one contour through the planes in `planes`, a stage a plane: for each corner in order feed(), then finish()
+// once; after each of these take what comes out with next() until it returns false.
 class ContourClipper {
  public:
   ContourClipper(const Projection& projection, std::uint8_t planes) : projection_(projection), planes_(planes) {}

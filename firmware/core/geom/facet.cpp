@@ -49,7 +49,8 @@ class ExtentSink {
 
 }  // namespace
 
-FacetReader::FacetReader(const SceneView& scene, const CameraRecord& camera, const Screen& screen, PoolRef<ScreenPoint> cache)
+FacetReader::FacetReader(const SceneView& scene, const CameraRecord& camera, const Screen& screen,
+                         PoolRef<ScreenPoint> cache)
     : scene_(&scene.scene()), view_(&scene), camera_(&camera), projection_(camera, screen), cache_(cache) {
   if (!scene_->instances.empty()) enter_instance(0, 0, 0);
 }
@@ -137,7 +138,9 @@ FacetReader::Outcodes FacetReader::outcodes() const {
 }
 
 FacetVertex FacetReader::project_clipped(const ClipVertex& v) const {
-  const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) { return x < low ? low : x > high ? high : x; };
+  const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) {
+    return x < low ? low : x > high ? high : x;
+  };
   ClipPoint p = v.at;  // rounding may leave a clipped point a unit outside
   p.w = clamp(p.w, projection_.near_w, projection_.far_w);
   p.x = clamp(p.x, -p.w, p.w);

@@ -1,5 +1,5 @@
-// Facets: the faces of a scene as polygons on the screen, read from the records in place. This is what the visible segment
-// generator consumes, and the hook that the tests' oracle starts from.
+// Facets: the faces of a scene as polygons on the screen, read from the records in place. This is what the visible
+// segment generator consumes, and the hook that the tests' oracle starts from.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +73,8 @@ class FacetReader {
   FacetVertex project_clipped(const ClipVertex& v) const;
   template <typename Colour, typename Sink>
   [[gnu::noinline]]  // keeps the clipper's 500 bytes off the stack of the common path
-  void read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour, Sink& sink);
+  void
+  read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour, Sink& sink);
 
   void enter_instance(std::uint16_t instance, std::uint16_t first_face, std::uint16_t first_vertex);
   void locate(std::uint16_t mesh_face);
@@ -122,7 +123,8 @@ void FacetReader::read(const Colour& colour, Sink& sink) {
 }
 
 template <typename Colour, typename Sink>
-void FacetReader::read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour, Sink& sink) {
+void FacetReader::read_clipped(std::uint32_t begin, std::uint32_t end, std::uint8_t planes, const Colour& colour,
+                               Sink& sink) {
   ContourClipper clipper(projection_, planes);
   ClipVertex out;
   for (std::uint32_t i = begin; i <= end; ++i) {

@@ -1,8 +1,9 @@
 // From mesh units to the screen: composed matrices, clip space, projection.
 //
-// Clip space is chosen so that |x| <= w, |y| <= w is the guard band: kGuardPx pixels to each side of the screen's centre, wider
-// than any screen. Depth is near / w, linear across the screen, as Q16.8: 65535.99 at the near plane, larger is nearer. Its
-// resolution is 2^-24 of near^-1: two surfaces at distance d stay apart when they are d * d / near * 2^-24 apart.
+// Clip space is chosen so that |x| <= w, |y| <= w is the guard band: kGuardPx pixels to each side of the screen's
+// centre, wider than any screen. Depth is near / w, linear across the screen, as Q16.8: 65535.99 at the near plane,
+// larger is nearer. Its resolution is 2^-24 of near^-1: two surfaces at distance d stay apart when they are d * d /
+// near * 2^-24 apart.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ static_assert(kMaxExtent / 2 < kGuardPx, "the guard band holds every screen");
 static_assert((kMaxExtent / 2 + kGuardPx) * kSubpixels <= INT16_MAX, "a clipped vertex fits 28.4 in 16 bits");
 inline constexpr int kDepthBits = 24;  // Q16.8
 
-// A point in clip space: x right, y down, w the distance along the view direction; Q16.16, x and y in units of the guard band.
+// A point in clip space: x right, y down, w the distance along the view direction; Q16.16, x and y in units of the
+// guard band.
 struct ClipPoint {
   std::int32_t x, y, w;
 };
@@ -54,14 +56,15 @@ struct ClipMatrix {
   }
 };
 
-// Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them in.
+// Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them
+// in.
 ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh);
 
 // What the projection needs beside the matrix.
 struct Projection {
-  std::int32_t near_w;     // Q16.16
-  std::int32_t far_w;      // Q16.16
-  std::int32_t centre_x;   // 28.4 px
+  std::int32_t near_w;    // Q16.16
+  std::int32_t far_w;     // Q16.16
+  std::int32_t centre_x;  // 28.4 px
   std::int32_t centre_y;
 
   Projection(const CameraRecord& camera, const Screen& screen)
@@ -81,9 +84,10 @@ struct Projection {
     return code;
   }
 
-  // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the nearest
-  // 1/16 px to the exact one or, by the rounding of the matrix, its neighbour, and depth is within 1 of 65536; nearer, errors
-  // grow as 1 / distance. The scene compiler picks the world's scale so that the near plane lies further off.
+  // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the
+  // nearest 1/16 px to the exact one or, by the rounding of the matrix, its neighbour, and depth is within 1 of 65536;
+  // nearer, errors grow as 1 / distance. The scene compiler picks the world's scale so that the near plane lies further
+  // off.
   ScreenPoint operator()(const ClipPoint& p) const {
     const int up = std::countl_zero(static_cast<std::uint32_t>(p.w)) - 1;
     const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(p.w) << up));

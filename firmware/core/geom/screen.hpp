@@ -14,7 +14,7 @@ struct Screen {
 };
 
 inline constexpr std::uint16_t kMaxExtent = 2046;  // px, width or height: with the guard band it fills 28.4 in 16 bits
-inline constexpr std::int32_t kSubpixels = 16;  // a pixel is 16 units of 28.4; its centre lies at +8
+inline constexpr std::int32_t kSubpixels = 16;     // a pixel is 16 units of 28.4; its centre lies at +8
 
 // A point on the screen, 28.4 px, y down.
 struct ScreenXY {
@@ -22,8 +22,9 @@ struct ScreenXY {
   friend constexpr bool operator==(const ScreenXY&, const ScreenXY&) = default;
 };
 
-// The first scan line (or pixel column) whose centre is at or after a 28.4 coordinate: ceil((v - 8) / 16). An edge lives on the
-// lines first_centre(y0) … first_centre(y1) - 1: the half-open rule, and with the same in x the top-left rule.
+// The first scan line (or pixel column) whose centre is at or after a 28.4 coordinate: ceil((v - 8) / 16). An edge
+// lives on the lines first_centre(y0) … first_centre(y1) - 1: the half-open rule, and with the same in x the top-left
+// rule.
 constexpr std::int32_t first_centre(std::int32_t v) { return (v + 7) >> 4; }
 
 }  // namespace spanline

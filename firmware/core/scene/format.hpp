@@ -1,5 +1,5 @@
-// The flash records: plain data that the scene compiler writes as constexpr tables and the simulator builds in memory. One
-// layout, one source. Nothing here is trusted before SceneView has validated it.
+// The flash records: plain data that the scene compiler writes as constexpr tables and the simulator builds in memory.
+// One layout, one source. Nothing here is trusted before SceneView has validated it.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kMaxSceneVertices = 65535;  // over all instances
 inline constexpr std::uint32_t kMaxLights = 4;
 inline constexpr std::int32_t kMaxWorld = 4096;  // |world coordinate| in units: leaves 3 bits of head-room in Q16.16
 
-// A mesh vertex in mesh units (see MeshRecord::unit). On the screen (InstanceRecord::kScreen) x and y are 1/16 px, y down,
-// and z is the depth less 32768 (larger is nearer).
+// A mesh vertex in mesh units (see MeshRecord::unit). On the screen (InstanceRecord::kScreen) x and y are 1/16 px, y
+// down, and z is the depth less 32768 (larger is nearer).
 struct Position {
   std::int16_t x, y, z;
 };
@@ -49,9 +49,10 @@ struct MaterialRecord {
 
 // A run of faces that look alike: the same number of corners, contours and the same material.
 // Face i of the run (i < face_count) has the mesh's face number first_face + i and the corners
-// [first_corner + i * corners_per_face, + corners_per_face) of MeshRecord::corners. With contour_count > 1 the corners are
-// several rings in a row whose lengths stand in MeshRecord::contours from first_contour on (each at least 3; they add up to
-// corners_per_face, else the contour is unclosed and the record is refused). Filling is even-odd, so holes need no direction.
+// [first_corner + i * corners_per_face, + corners_per_face) of MeshRecord::corners. With contour_count > 1 the corners
+// are several rings in a row whose lengths stand in MeshRecord::contours from first_contour on (each at least 3; they
+// add up to corners_per_face, else the contour is unclosed and the record is refused). Filling is even-odd, so holes
+// need no direction.
 struct FaceGroup {
   std::uint32_t first_corner;
   std::uint16_t first_face;
@@ -62,8 +63,8 @@ struct FaceGroup {
   std::uint16_t material;       // index into SceneRecord::materials
 };
 
-// Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31 world
-// units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count.
+// Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31
+// world units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count.
 struct MeshRecord {
   const char* name;
   Slice<const Position> positions;
@@ -126,10 +127,10 @@ struct SceneRecord {
 // The viewer: right-handed, +Y up, looking along -Z of its own frame.
 struct CameraRecord {
   Fx16 eye[3];
-  Fx30 axes[3][3];         // rows: right, up, back; orthonormal
-  Fx12 focal;              // Q20.12 px: distance of the picture plane in pixels, = height / 2 / tan(fov / 2)
-  Fx16 near_plane;         // > 0; depth is near_plane / distance
-  Fx16 far_plane;          // > near_plane
+  Fx30 axes[3][3];  // rows: right, up, back; orthonormal
+  Fx12 focal;       // Q20.12 px: distance of the picture plane in pixels, = height / 2 / tan(fov / 2)
+  Fx16 near_plane;  // > 0; depth is near_plane / distance
+  Fx16 far_plane;   // > near_plane
 
   friend constexpr bool operator==(const CameraRecord&, const CameraRecord&) = default;
 };

@@ -4,7 +4,8 @@ namespace spanline {
 
 namespace {
 
-constexpr Status bad(const char* record, const char* field, std::uint32_t index, std::uint32_t value = 0, std::uint32_t limit = 0) {
+constexpr Status bad(const char* record, const char* field, std::uint32_t index, std::uint32_t value = 0,
+                     std::uint32_t limit = 0) {
   return {Code::bad_record, record, field, index, 0, value, limit};
 }
 
@@ -21,7 +22,8 @@ Status check_rings(const MeshRecord& mesh, const FaceGroup& group, std::uint32_t
     sum += mesh.contours[i];
   }
   // Rings that do not add up leave a contour unclosed.
-  return sum == group.corners_per_face ? Status{} : bad("FaceGroup", "contours (unclosed)", g, sum, group.corners_per_face);
+  return sum == group.corners_per_face ? Status{}
+                                       : bad("FaceGroup", "contours (unclosed)", g, sum, group.corners_per_face);
 }
 
 Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t g, std::uint32_t first_face) {
@@ -31,14 +33,16 @@ Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32
   if (group.corners_per_face < 3) return bad("FaceGroup", "corners_per_face", g, group.corners_per_face, 3);
   const std::uint64_t end = group.first_corner + std::uint64_t{group.face_count} * group.corners_per_face;
   if (end > mesh.corners.size()) return bad("FaceGroup", "first_corner", g, group.first_corner, mesh.corners.size());
-  if (group.material >= scene.materials.size()) return bad("FaceGroup", "material", g, group.material, scene.materials.size());
+  if (group.material >= scene.materials.size())
+    return bad("FaceGroup", "material", g, group.material, scene.materials.size());
   return check_rings(mesh, group, g);
 }
 
 // What a mesh's normals allow as materials.
 Status check_material(const MeshRecord& mesh, const MaterialRecord& material, const char* record, std::uint32_t index) {
-  const bool normals = material.shading == MaterialRecord::kUnlit ||
-                       !(material.shading == MaterialRecord::kGouraud ? mesh.vertex_normals : mesh.face_normals).empty();
+  const bool normals =
+      material.shading == MaterialRecord::kUnlit ||
+      !(material.shading == MaterialRecord::kGouraud ? mesh.vertex_normals : mesh.face_normals).empty();
   return normals ? Status{} : bad(record, "material (no normals)", index);
 }
 
@@ -72,7 +76,8 @@ Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
 
 Status check_instance(const SceneRecord& scene, std::uint32_t index) {
   const InstanceRecord& instance = scene.instances[index];
-  if (instance.mesh >= scene.meshes.size()) return bad("InstanceRecord", "mesh", index, instance.mesh, scene.meshes.size());
+  if (instance.mesh >= scene.meshes.size())
+    return bad("InstanceRecord", "mesh", index, instance.mesh, scene.meshes.size());
   for (const Fx16 c : instance.transform.translation) {
     if (!within_world(c)) return bad("InstanceRecord", "transform.translation", index);
   }
@@ -84,7 +89,8 @@ Status check_instance(const SceneRecord& scene, std::uint32_t index) {
   const bool on_screen = (instance.flags & InstanceRecord::kScreen) != 0;  // where no light falls
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene.materials[own ? group.material : instance.material];
-    if (on_screen && material.shading != MaterialRecord::kUnlit) return bad("InstanceRecord", "material (screen)", index);
+    if (on_screen && material.shading != MaterialRecord::kUnlit)
+      return bad("InstanceRecord", "material (screen)", index);
     const Status status = check_material(mesh, material, "InstanceRecord", index);
     if (!status.ok()) return status;
   }
@@ -103,7 +109,8 @@ Status check_light(const LightRecord& light, std::uint32_t index) {
 
 Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-    if (scene.materials[i].shading > MaterialRecord::kUnlit) return bad("MaterialRecord", "shading", i, scene.materials[i].shading);
+    if (scene.materials[i].shading > MaterialRecord::kUnlit)
+      return bad("MaterialRecord", "shading", i, scene.materials[i].shading);
   }
   if (scene.lights.size() > kMaxLights) return bad("SceneRecord", "lights", 0, scene.lights.size(), kMaxLights);
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {

@@ -12,8 +12,9 @@ class SceneView {
  public:
   SceneView() = default;
 
-  // Checks every record and field of `scene`. On success `view` refers to the records, which must outlive it. On failure the
-  // status names the record type, its index, the field and the offending value, and `view` is left as it was.
+  // Checks every record and field of `scene`. On success `view` refers to the records, which must outlive it. On
+  // failure the status names the record type, its index, the field and the offending value, and `view` is left as it
+  // was.
   static Status validate(const SceneRecord& scene, SceneView& view);
 
   const SceneRecord& scene() const { return *scene_; }

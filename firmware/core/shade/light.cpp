@@ -36,11 +36,12 @@ bool is_uniform(const Matrix& m) {
     const std::int32_t d = value - expected;
     return (d < 0 ? -d : d) <= length / 128;
   };
-  return near(column_product(m, 1, 1), length) && near(column_product(m, 2, 2), length) && near(column_product(m, 0, 1), 0) &&
-         near(column_product(m, 0, 2), 0) && near(column_product(m, 1, 2), 0);
+  return near(column_product(m, 1, 1), length) && near(column_product(m, 2, 2), length) &&
+         near(column_product(m, 0, 1), 0) && near(column_product(m, 0, 2), 0) && near(column_product(m, 1, 2), 0);
 }
 
-// The cofactor matrix, which turns normals as the matrix turns surfaces, with the sign that keeps them outward when mirrored.
+// The cofactor matrix, which turns normals as the matrix turns surfaces, with the sign that keeps them outward when
+// mirrored.
 void cofactors(const Matrix& m, Matrix& out) {
   std::int64_t c[3][3];
   for (int i = 0; i < 3; ++i) {
@@ -91,7 +92,8 @@ LightRig::LightRig(const SceneRecord& scene, const Transform& transform) : count
 std::uint32_t LightRig::turned_length(const Normal10& normal) const {
   std::uint32_t square = 0;
   for (const auto& row : normal_matrix_) {
-    const std::int32_t c = (row[0] * normal.x() + row[1] * normal.y() + row[2] * normal.z()) >> 9;  // 15 bits and a sign
+    const std::int32_t c =
+        (row[0] * normal.x() + row[1] * normal.y() + row[2] * normal.z()) >> 9;  // 15 bits and a sign
     square += static_cast<std::uint32_t>(c * c);
   }
   return square_root(square);

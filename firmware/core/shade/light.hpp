@@ -6,8 +6,8 @@
 
 namespace spanline {
 
-// The lights as one instance's mesh sees them, so that a normal is lit where it lies: ambient plus up to four directional
-// lights, each intensity * max(0, -direction . normal), a channel at a time, saturating at 255.
+// The lights as one instance's mesh sees them, so that a normal is lit where it lies: ambient plus up to four
+// directional lights, each intensity * max(0, -direction . normal), a channel at a time, saturating at 255.
 class LightRig {
  public:
   LightRig() = default;
@@ -21,7 +21,7 @@ class LightRig {
   std::uint32_t turned_length(const Normal10& normal) const;
 
   std::uint32_t count_ = 0;
-  bool uniform_ = true;             // the transform only turns and scales evenly
+  bool uniform_ = true;                    // the transform only turns and scales evenly
   std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
   std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform
   std::uint16_t intensity_[kMaxLights][3];

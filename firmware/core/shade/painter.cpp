@@ -27,7 +27,9 @@ std::int32_t on_line(const EdgeShade& edge, int channel, std::uint16_t line) {
   return edge.color[channel] + edge.step[channel] * down;
 }
 
-std::uint32_t channel(std::int32_t q16) { return q16 < 0 ? 0u : q16 > 0xffffff ? 255u : static_cast<std::uint32_t>(q16) >> 16; }
+std::uint32_t channel(std::int32_t q16) {
+  return q16 < 0 ? 0u : q16 > 0xffffff ? 255u : static_cast<std::uint32_t>(q16) >> 16;
+}
 
 }  // namespace
 
@@ -37,7 +39,8 @@ void Painter::begin_line(std::uint16_t line, std::uint8_t* out, const Background
   Rgb8 color = background.top;
   if (background.bottom != background.top && screen_.height > 1) {
     const std::uint32_t whole = screen_.height - 1u;
-    color = {mix(background.top.r, background.bottom.r, line, whole), mix(background.top.g, background.bottom.g, line, whole),
+    color = {mix(background.top.r, background.bottom.r, line, whole),
+             mix(background.top.g, background.bottom.g, line, whole),
              mix(background.top.b, background.bottom.b, line, whole)};
   }
   background_ = flat_payload(screen_.format, color);
@@ -90,7 +93,8 @@ void Painter::gouraud(const VisibleSpan& span) {
     if (screen_.format == PixelFormat::rgb565) {
       reinterpret_cast<Half*>(out_)[x] = rgb565_wire(r, g, b);
     } else {
-      put_grey(x, luminance({static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(b)}));
+      put_grey(x,
+               luminance({static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(b)}));
     }
     for (Ramp& c : ramp) c.value += c.step;
   }

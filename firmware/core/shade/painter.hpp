@@ -7,7 +7,8 @@
 
 namespace spanline {
 
-// Writes the visible spans of a line as pixels in wire order. Spans come left to right and without gaps, so nothing is cleared.
+// Writes the visible spans of a line as pixels in wire order. Spans come left to right and without gaps, so nothing is
+// cleared.
 class Painter {
  public:
   Painter() = default;

@@ -33,7 +33,7 @@ constexpr std::uint32_t bayer8(std::uint32_t x, std::uint32_t y) {
 // A luminance as one of 16 levels: 17 * level on the average. 0 and 255 are met exactly.
 constexpr std::uint32_t dither_grey4(std::uint32_t grey, std::uint32_t x, std::uint32_t y) {
   const std::uint32_t threshold = bayer8(x, y) * 4 + 1;  // 1 … 253 of 255
-  return ((grey * 15 + threshold) * 0x8081u) >> 23;       // / 255
+  return ((grey * 15 + threshold) * 0x8081u) >> 23;      // / 255
 }
 
 // A luminance as on or off.

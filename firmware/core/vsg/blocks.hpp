@@ -24,13 +24,23 @@ struct SegmentBlock {
   std::int32_t left() const { return half[0].column; }
 };
 
+// An edge with its colours on its way into a segment list or from half to half.
+struct PlacedEdge {
+  SegmentHalf half;
+  EdgeShade shade;
+  friend bool operator<(const PlacedEdge& a, const PlacedEdge& b) {
+    const std::strong_ordering by_place = order(a.half, b.half);
+    return by_place != 0 ? by_place < 0 : a.shade < b.shade;
+  }
+};
+
 // Gouraud's colours of both halves, in an array beside the segment blocks where the budget asks for it.
 struct SegmentShade {
   EdgeShade half[2];
 };
 
-// Depth along a line: at(c) = at_zero + slope * c modulo 2^32, Q16.13, larger is nearer. A slope that does not fit belongs to a
-// facet that covers one pixel of the line at most, where it does no harm.
+// Depth along a line: at(c) = at_zero + slope * c modulo 2^32, Q16.13, larger is nearer. A slope that does not fit
+// belongs to a facet that covers one pixel of the line at most, where it does no harm.
 struct DepthRamp {
   std::uint32_t at_zero = 0;
   std::uint32_t slope = 0;
@@ -53,15 +63,16 @@ struct PolygonBlock {
   std::uint16_t waiting;  // edge blocks that name this polygon
   std::uint16_t payload;  // for shading: the flat colour
   std::uint8_t flags;
-  DepthRamp ramp;         // a triangle's plane: for line 0,
-  std::uint32_t down;     // and the step a line
+  DepthRamp ramp;      // a triangle's plane: for line 0,
+  std::uint32_t down;  // and the step a line
 };
 
 static_assert(sizeof(PolygonBlock) == 24 && sizeof(SegmentBlock) == 60);
 
 // The one way to segment blocks. It counts references as the seed's machine would make them (the listing's Q(·,19) and
-// Q(·,20)): a block is read whole into a register, looked at and changed there, and written back when another one is needed.
-// So a visit costs a read, and a write where it changed something; the next visit of the same block in a row costs nothing.
+// Q(·,20)): a block is read whole into a register, looked at and changed there, and written back when another one is
+// needed. So a visit costs a read, and a write where it changed something; the next visit of the same block in a row
+// costs nothing.
 template <bool kCount>
 class SegmentStore {
  public:
@@ -111,9 +122,20 @@ class SegmentStore {
       }
     }
   }
-  // A block whose content is at hand already: in the register, the last of the X-sort list, the visible segment of the span.
+  // A block whose content is at hand already: in the register, the last of the X-sort list, the visible segment of the
+  // span.
   SegmentBlock& held(std::uint16_t index) { return blocks_[index]; }
   const SegmentBlock& held(std::uint16_t index) const { return blocks_[index]; }
+
+  // A half with its colours. put() marks the block as moved where the left half changes, but counts nothing.
+  PlacedEdge get(std::uint16_t index, unsigned side) const {
+    return {blocks_[index].half[side], has_shades() ? shades_[index].half[side] : EdgeShade{}};
+  }
+  void put(std::uint16_t index, unsigned side, const PlacedEdge& edge) {
+    blocks_[index].half[side] = edge.half;
+    if (side == 0) blocks_[index].flags |= SegmentBlock::kMoved;
+    if (has_shades()) shades_[index].half[side] = edge.shade;
+  }
 
   bool has_shades() const { return shades_.capacity() != 0; }
   SegmentShade& shade(std::uint16_t index) const { return shades_[index]; }

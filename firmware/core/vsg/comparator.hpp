@@ -1,5 +1,6 @@
-// The depth comparator: which of two segments is in front at both ends of a run of pixels. Two ways to the same answer, chosen
-// at compile time: by plane, a multiply at each end (the seed's VSG4), or by midpoint halving, adders only (III.G, VSG5 and 6).
+// The depth comparator: which of two segments is in front at both ends of a run of pixels. Two ways to the same answer,
+// chosen at compile time: by plane, a multiply at each end (the seed's VSG4), or by midpoint halving (III.G, VSG5 and
+// 6), which needs adders only once its registers are loaded.
 #pragma once
 
 #include <bit>
@@ -12,7 +13,8 @@ namespace spanline {
 
 enum class Comparator : std::uint8_t { plane, midpoint };
 
-// Two depth ramps over the columns [from, to), to > from. Ties go to the first where `first_wins_ties` (the lower face).
+// Two depth ramps over the columns [from, to), to > from. Ties go to the first where `first_wins_ties` (the lower
+// face).
 struct Contest {
   DepthRamp first, second;
   std::int32_t from, to;
@@ -27,9 +29,9 @@ struct Contest {
 };
 
 enum class Verdict : std::uint8_t {
-  first,               // in front everywhere
+  first,  // in front everywhere
   second,
-  first_then_second,   // they intersect within the run
+  first_then_second,  // they intersect within the run
   second_then_first,
 };
 
@@ -74,7 +76,8 @@ struct DepthComparator<Comparator::midpoint> {
     const std::int32_t target = contest.to - 1 - contest.from;
     if (target == 0) return verdict(first_at_left, first_at_left);
     Interval interval(contest, left, target);
-    while (contest.first_ahead(interval.low_lead) != contest.first_ahead(interval.high_lead) && interval.high != target) {
+    while (contest.first_ahead(interval.low_lead) != contest.first_ahead(interval.high_lead) &&
+           interval.high != target) {
       ++cycles;
       interval.halve(interval.middle() >= target);
     }
@@ -93,7 +96,8 @@ struct DepthComparator<Comparator::midpoint> {
   }
 
  private:
-  // [low, high], 2^k columns long, with the leads at its ends. Every halving is exact: the lead grows by a whole slope a column.
+  // [low, high], 2^k columns long, with the leads at its ends. Every halving is exact: the lead grows by a whole slope
+  // a column.
   struct Interval {
     std::int32_t low = 0, high;
     std::int64_t low_lead, high_lead;

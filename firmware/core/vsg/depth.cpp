@@ -22,9 +22,9 @@ DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
   const std::int64_t dy1 = corner[1].at.y - corner[0].at.y, dy2 = corner[2].at.y - corner[0].at.y;
   const auto z0 = static_cast<std::int64_t>(corner[0].depth);
   const std::int64_t dz1 = corner[1].depth - z0, dz2 = corner[2].depth - z0;
-  std::int64_t area = dx1 * dy2 - dx2 * dy1;  // below 2^34
+  std::int64_t area = dx1 * dy2 - dx2 * dy1;                                      // below 2^34
   std::int64_t along_x = dz1 * dy2 - dz2 * dy1, along_y = dx1 * dz2 - dx2 * dz1;  // below 2^41
-  if (area == 0) return {};  // covers no pixel
+  if (area == 0) return {};                                                       // covers no pixel
   if (area < 0) {
     area = -area;
     along_x = -along_x;
@@ -39,13 +39,14 @@ DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
   plane.ramp.slope = static_cast<std::uint32_t>(round_div(along_x * (kSubpixels << kRampShift), area));
   plane.down = static_cast<std::uint32_t>(round_div(along_y * (kSubpixels << kRampShift), area));
   plane.ramp.at_zero = (corner[0].depth << kRampShift) + static_cast<std::uint32_t>(floor_div(climb, area)) -
-                       plane.ramp.slope * static_cast<std::uint32_t>(column) - plane.down * static_cast<std::uint32_t>(line);
+                       plane.ramp.slope * static_cast<std::uint32_t>(column) -
+                       plane.down * static_cast<std::uint32_t>(line);
   return plane;
 }
 
 DepthRamp depth_between(const SegmentHalf& left, const SegmentHalf& right) {
-  // With l = e / D the way from an edge to its column: width = c_r - c_l + l_l - l_r px, and the column c_l lies l_l / width of
-  // the way along. Multiplied by both D that is exact in 64 bits; the quotients then need 32.
+  // With l = e / D the way from an edge to its column: width = c_r - c_l + l_l - l_r px, and the column c_l lies l_l /
+  // width of the way along. Multiplied by both D that is exact in 64 bits; the quotients then need 32.
   const std::int64_t both = std::int64_t{left.denominator()} * right.denominator();  // at most 2^40
   const std::int64_t lead = std::int64_t{left.error} * right.denominator();
   const std::int64_t width =

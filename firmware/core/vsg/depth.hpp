@@ -1,6 +1,6 @@
 // Depth along a line as a function of the facet alone: never of a sample's place, of the band or of the line before.
-// A triangle's is its plane; any other facet's runs straight between its own two edges on the line (seed 1, chapter V), which
-// is the plane where there is one.
+// A triangle's is its plane; any other facet's runs straight between its own two edges on the line (seed 1, chapter V),
+// which is the plane where there is one.
 #pragma once
 
 #include "core/geom/facet.hpp"
@@ -8,9 +8,9 @@
 
 namespace spanline {
 
-// A triangle's depth as a ramp for line 0 and its step a line, Q16.13 modulo 2^32. The gradients are rounded once (2^-14 a
-// pixel) and anchored at a pixel of the screen, so on a screen of w x h pixels the error stays below (w + h) * 2^-14 + 2^-13
-// units of depth (of 65536).
+// A triangle's depth as a ramp for line 0 and its step a line, Q16.13 modulo 2^32. The gradients are rounded once
+// (2^-14 a pixel) and anchored at a pixel of the screen, so on a screen of w x h pixels the error stays below (w + h) *
+// 2^-14 + 2^-13 units of depth (of 65536).
 struct DepthPlane {
   DepthRamp ramp;
   std::uint32_t down = 0;

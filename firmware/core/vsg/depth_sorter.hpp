@@ -14,13 +14,13 @@
 
 namespace spanline {
 
-// An entry of the active list (III.F): a segment taken from the X-sort list on this line that reaches into spans to come. It
-// holds all that the comparator needs, so that a span looks at it without touching the segment block.
+// An entry of the active list (III.F): a segment taken from the X-sort list on this line that reaches into spans to
+// come. It holds all that the comparator needs, so that a span looks at it without touching the segment block.
 struct ActiveSegment {
   std::uint16_t segment = 0;  // 0: none, the background
   std::uint16_t polygon = 0;
-  std::uint16_t left : 15 = 0;       // columns on this line, clipped to the screen
-  std::uint16_t fresh : 1 = 0;       // taken in the present span: its block is in the comparator's registers still
+  std::uint16_t left : 15 = 0;  // columns on this line, clipped to the screen
+  std::uint16_t fresh : 1 = 0;  // taken in the present span: its block is in the comparator's registers still
   std::uint16_t right : 15 = 0;
   std::uint16_t has_ramp : 1 = 0;
   DepthRamp ramp;
@@ -46,7 +46,8 @@ class DepthSorter {
   DepthSorter() = default;
   explicit DepthSorter(const Parts& parts) : p_(parts) {}
 
-  // Finds the visible segments of `line` and hands them to sink.span(const VisibleSpan&); steps every segment to the next line.
+  // Finds the visible segments of `line` and hands them to sink.span(const VisibleSpan&); steps every segment to the
+  // next line.
   template <typename Sink>
   void run(std::uint16_t line, Sink& sink) {
     line_ = line;
@@ -73,8 +74,8 @@ class DepthSorter {
   void clear_statistics() { counters_ = {}; }
 
  private:
-  // What is known of a span: the nearest segment that covers all of it, and the visible box (III.G): those that are in front of
-  // it somewhere.
+  // What is known of a span: the nearest segment that covers all of it, and the visible box (III.G): those that are in
+  // front of it somewhere.
   struct Box {
     ActiveSegment* cover = nullptr;
     ActiveSegment* first = nullptr;  // the first in the box
@@ -97,8 +98,8 @@ class DepthSorter {
     }
   }
 
-  // The depth comparator: every segment of the span, first the active ones, then those that begin in it. False where it has to
-  // be done again because the active list was full: `right` is then further left, or the list is another.
+  // The depth comparator: every segment of the span, first the active ones, then those that begin in it. False where it
+  // has to be done again because the active list was full: `right` is then further left, or the list is another.
   bool compare_all(std::int32_t left, std::int32_t& right, Box& box) {
     for (std::int32_t i = 0; i < active_count_; ++i) {
       if constexpr (kOptions.statistics) ++counters_.active_references;
@@ -137,7 +138,8 @@ class DepthSorter {
     if (face(fresh) < face(*last)) *last = fresh;
   }
 
-  // Takes the next block off the X-sort list: notes where it lies on this line, steps it to the next and files it there.
+  // Takes the next block off the X-sort list: notes where it lies on this line, steps it to the next and files it
+  // there.
   ActiveSegment take() {
     const std::uint16_t index = p_.x_sort->pop();
     SegmentBlock& block = p_.store->held(index);
@@ -154,7 +156,8 @@ class DepthSorter {
     PolygonBlock& polygon = (*p_.polygons)[block.polygon];
     const bool several = polygon.first_segment != index || block.polygon_next != 0;  // these may change places
     if (left_ends && right_ends && !several && polygon.waiting == 0) polygon.flags |= PolygonBlock::kFinished;
-    if (left_ends || right_ends || several || block.half[1].column < block.half[0].column) p_.polygons->change(block.polygon);
+    if (left_ends || right_ends || several || block.half[1].column < block.half[0].column)
+      p_.polygons->change(block.polygon);
     if (left_ends) {
       block.flags = SegmentBlock::kMoved;
     } else {
@@ -169,8 +172,8 @@ class DepthSorter {
     return column < 0 ? 0 : column > p_.screen.width ? p_.screen.width : column;
   }
 
-  // Drops what ends at or before `left` from the active list. It was visited in the span that ends there, where the seed moves
-  // it to the list of those that are out: no reference.
+  // Drops what ends at or before `left` from the active list. It was visited in the span that ends there, where the
+  // seed moves it to the list of those that are out: no reference.
   void retire(std::int32_t left) {
     std::int32_t kept = 0;
     pending_.fresh = 0;
@@ -303,8 +306,8 @@ class DepthSorter {
     pending_left_ = left;
   }
 
-  // Where the visible edge between the pending segment and the next one, at `column`, is on the next line (III.J). An edge
-  // between two pieces of one polygon is none; where neither segment has an edge, they intersect.
+  // Where the visible edge between the pending segment and the next one, at `column`, is on the next line (III.J). An
+  // edge between two pieces of one polygon is none; where neither segment has an edge, they intersect.
   std::int32_t boundary(const ActiveSegment& next, std::int32_t column) {
     if (next.polygon == pending_.polygon) return kNoSample;
     const bool begins = next.segment != 0 && next.left == column;

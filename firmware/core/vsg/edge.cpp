@@ -57,16 +57,15 @@ SegmentHalf start_edge(const ScreenEdge& edge, std::int32_t line, bool with_dept
   return half;
 }
 
-bool comes_before(const SegmentHalf& a, const SegmentHalf& b) {
-  if (a.column != b.column) return a.column < b.column;
+std::strong_ordering order(const SegmentHalf& a, const SegmentHalf& b) {
+  if (a.column != b.column) return a.column <=> b.column;
   // In the same column the larger e / D lies further left.
   const std::uint64_t left_a = std::uint64_t{a.error} * b.height, left_b = std::uint64_t{b.error} * a.height;
-  if (left_a != left_b) return left_a > left_b;
-  if (a.quotient != b.quotient) return a.quotient < b.quotient;
+  if (left_a != left_b) return left_b <=> left_a;
+  if (a.quotient != b.quotient) return a.quotient <=> b.quotient;
   const std::uint32_t slope_a = std::uint32_t{a.remainder} * b.height, slope_b = std::uint32_t{b.remainder} * a.height;
-  if (slope_a != slope_b) return slope_a < slope_b;
-  // One line: only the order must not depend on the history.
-  return a.depth != b.depth ? a.depth < b.depth : a.depth_step < b.depth_step;
+  if (slope_a != slope_b) return slope_a <=> slope_b;
+  return a.depth != b.depth ? a.depth <=> b.depth : a.depth_step <=> b.depth_step;
 }
 
 EdgeShade shade_edge(const ScreenEdge& edge) {

@@ -1,6 +1,7 @@
 // Edges: how one is stepped from line to line without error, and the blocks of those that wait for their first line.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 #include "core/base/pool.hpp"
@@ -26,20 +27,20 @@ struct ScreenEdge {
 
 // One half of a segment block: an edge at a scan line.
 //
-// The edge x(line) = N / D px with D = 16 * dy and N = (x0 - 8) * dy + dx * t, t = 16 * line + 8 - y0 (28.4). The pixel column
-// is c = ceil(N / D), the first centre at or right of the edge, and e = c * D - N, 0 <= e < D, how far that centre lies from
-// the edge in 1/D px. A line down N grows by 16 * dx = D * q + 16 * m: c += q, e -= 16 * m, and c + 1, e + D when e < 0.
-// Quotient and remainder, one divide an edge, no error ever (vsg.md).
+// The edge x(line) = N / D px with D = 16 * dy and N = (x0 - 8) * dy + dx * t, t = 16 * line + 8 - y0 (28.4). The pixel
+// column is c = ceil(N / D), the first centre at or right of the edge, and e = c * D - N, 0 <= e < D, how far that
+// centre lies from the edge in 1/D px. A line down N grows by 16 * dx = D * q + 16 * m: c += q, e -= 16 * m, and c + 1,
+// e + D when e < 0. Quotient and remainder, one divide an edge, no error ever (vsg.md).
 struct SegmentHalf {
-  std::int16_t column;     // c of the line to come
-  std::int16_t quotient;   // q = floor(dx / dy)
-  std::uint16_t remainder; // m = dx mod dy
-  std::uint16_t height;    // dy, 28.4
-  std::uint16_t lines;     // lines still to come; 0: this half is empty
+  std::int16_t column;      // c of the line to come
+  std::int16_t quotient;    // q = floor(dx / dy)
+  std::uint16_t remainder;  // m = dx mod dy
+  std::uint16_t height;     // dy, 28.4
+  std::uint16_t lines;      // lines still to come; 0: this half is empty
   std::uint16_t unused;
-  std::uint32_t error;     // e
-  std::uint32_t depth;     // Q16.13 at the line to come; only facets that are no triangles keep it
-  std::int32_t depth_step; // a line
+  std::uint32_t error;      // e
+  std::uint32_t depth;      // Q16.13 at the line to come; only facets that are no triangles keep it
+  std::int32_t depth_step;  // a line
 
   bool empty() const { return lines == 0; }
   std::uint32_t denominator() const { return std::uint32_t{height} * kSubpixels; }
@@ -75,18 +76,22 @@ struct SegmentHalf {
 inline constexpr int kRampBits = 13;  // fraction bits of depth ramps, Q16.13
 inline constexpr int kRampShift = kRampBits - (kDepthBits - 16);
 
-// Sets up an edge at `line`, one of its own lines. Depth is set where asked for; from the edge's own first line, so that it
-// does not depend on where a band begins.
+// Sets up an edge at `line`, one of its own lines. Depth is set where asked for; from the edge's own first line, so
+// that it does not depend on where a band begins.
 SegmentHalf start_edge(const ScreenEdge& edge, std::int32_t line, bool with_depth);
 
-// True where edge a lies left of edge b on the line to come; the same place: the one that runs further left comes first.
-bool comes_before(const SegmentHalf& a, const SegmentHalf& b);
+// The order of two edges on the line to come: by place; in the same place the one that runs further left comes first;
+// edges on one line by their depth, so that the order never depends on the history. equal: nothing but colours can
+// differ.
+std::strong_ordering order(const SegmentHalf& a, const SegmentHalf& b);
+inline bool comes_before(const SegmentHalf& a, const SegmentHalf& b) { return order(a, b) < 0; }
 
 // Gouraud's colours along an edge: the payload that vsg carries beside a segment half and never looks into.
 struct EdgeShade {
-  std::int16_t color[3];  // Q8.7 at the edge's own first line
-  std::int16_t step[3];   // Q8.7 a line
+  std::int16_t color[3];              // Q8.7 at the edge's own first line
+  std::int16_t step[3];               // Q8.7 a line
   std::uint16_t first_line_from_top;  // the edge's own first line plus 2048, so that it is never negative
+  friend constexpr auto operator<=>(const EdgeShade&, const EdgeShade&) = default;
 };
 EdgeShade shade_edge(const ScreenEdge& edge);
 

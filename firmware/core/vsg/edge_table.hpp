@@ -1,5 +1,5 @@
-// The edge table: edges of live polygons that wait for their first line, in order of that line. An edge that two polygons share
-// is one block, set up once.
+// The edge table: edges of live polygons that wait for their first line, in order of that line. An edge that two
+// polygons share is one block, set up once.
 #pragma once
 
 #include "core/vsg/blocks.hpp"

@@ -1,5 +1,5 @@
-// The sample space generator (III.E): last line's visible edges, stepped to this line, give its spans. The borders of the screen
-// are implied sample edges.
+// The sample space generator (III.E): last line's visible edges, stepped to this line, give its spans. The borders of
+// the screen are implied sample edges.
 #pragma once
 
 #include "core/base/pool.hpp"
@@ -31,7 +31,8 @@ class SampleSpace {
     return width_;
   }
 
-  // Keeps a sample point for the next line; out of order or off the screen it is worth nothing. False where the pool is full.
+  // Keeps a sample point for the next line; out of order or off the screen it is worth nothing. False where the pool is
+  // full.
   bool keep(std::int32_t column) {
     if (column <= last_ || column >= width_) return true;
     std::uint16_t& count = count_[now_ ^ 1];

@@ -1,5 +1,5 @@
-// The segment eliminator (III.B): packs the segment lists of the polygons that changed, frees blocks, and files the segments
-// whose left edge is new.
+// The segment eliminator (III.B): packs the segment lists of the polygons that changed, frees blocks, and files the
+// segments whose left edge is new.
 #pragma once
 
 #include "core/vsg/edge_table.hpp"
@@ -15,9 +15,9 @@ class SegmentEliminator {
   SegmentEliminator(SegmentStore<kCount>* store, Polygons* polygons, XSort* x_sort)
       : store_(store), polygons_(polygons), x_sort_(x_sort) {}
 
-  // Before any edge enters on a line: gives back what ended on the line before, so that a line never needs more blocks than it
-  // has segments. True where nothing is left of the polygon and its block is given back too. A single block whose edges both
-  // ended is kept for those that take their place on this line.
+  // Before any edge enters on a line: gives back what ended on the line before, so that a line never needs more blocks
+  // than it has segments. True where nothing is left of the polygon and its block is given back too. A single block
+  // whose edges both ended is kept for those that take their place on this line.
   bool release(std::uint16_t index, const EdgeTable& edges, std::int32_t line) {
     PolygonBlock& polygon = (*polygons_)[index];
     if (polygon.first_segment == 0) return false;
@@ -36,8 +36,8 @@ class SegmentEliminator {
     return over;
   }
 
-  // After an edge has entered: where that left the polygon with one whole segment, files it at once, while its block is at hand,
-  // and packing is done with. True then.
+  // After an edge has entered: where that left the polygon with one whole segment, files it at once, while its block is
+  // at hand, and packing is done with. True then.
   bool settle(std::uint16_t index) {
     const std::uint16_t only = (*polygons_)[index].first_segment;
     SegmentBlock& block = store_->held(only);
@@ -47,9 +47,9 @@ class SegmentEliminator {
     return true;
   }
 
-  // Packs one polygon's list: halves in order of X without gaps, blocks at the end freed, moved blocks filed anew. The polygon's
-  // block is given back where nothing of it is left or to come. False where it has an odd number of edges, which no closed
-  // contour has; the last edge is then dropped.
+  // Packs one polygon's list: halves in order of X without gaps, blocks at the end freed, moved blocks filed anew. The
+  // polygon's block is given back where nothing of it is left or to come. False where it has an odd number of edges,
+  // which no closed contour has; the last edge is then dropped.
   bool pack(std::uint16_t index) {
     PolygonBlock& polygon = (*polygons_)[index];
     if ((polygon.flags & PolygonBlock::kSettled) != 0) {
@@ -110,12 +110,8 @@ class SegmentEliminator {
   }
 
   void move(Cursor from, Cursor to) {
-    SegmentHalf& source = store_->held(from.block).half[from.side];
-    SegmentBlock& target = store_->held(to.block);
-    target.half[to.side] = source;
-    if (store_->has_shades()) store_->shade(to.block).half[to.side] = store_->shade(from.block).half[from.side];
-    source.lines = 0;
-    if (to.side == 0) target.flags |= SegmentBlock::kMoved;
+    store_->put(to.block, to.side, store_->get(from.block, from.side));
+    store_->held(from.block).half[from.side].lines = 0;
     store_->store(to.block);
   }
 
@@ -125,23 +121,18 @@ class SegmentEliminator {
     while (again) {
       again = false;
       Cursor a{first, 0};
-      for (Cursor b{first, 1}; b.block != 0 && !half(b).empty(); a = b, advance(b)) {
-        if (!comes_before(half(b), half(a))) continue;
-        exchange(a, b);
+      for (Cursor b{first, 1}; b.block != 0 && !is_empty(b); a = b, advance(b)) {
+        const PlacedEdge left = store_->get(a.block, a.side), right = store_->get(b.block, b.side);
+        if (!(right < left)) continue;
+        store_->put(a.block, a.side, right);
+        store_->put(b.block, b.side, left);
+        store_->store(a.block);
+        store_->store(b.block);
         again = true;
       }
     }
   }
-  SegmentHalf& half(Cursor c) { return store_->held(c.block).half[c.side]; }
-  void exchange(Cursor a, Cursor b) {
-    std::swap(half(a), half(b));
-    if (store_->has_shades()) std::swap(store_->shade(a.block).half[a.side], store_->shade(b.block).half[b.side]);
-    for (const Cursor c : {a, b}) {
-      if (c.side == 0) store_->held(c.block).flags |= SegmentBlock::kMoved;
-      store_->store(c.block);
-    }
-  }
-
+  bool is_empty(Cursor c) const { return store_->held(c.block).half[c.side].empty(); }
   // Frees the blocks after the first `keep`.
   void trim(PolygonBlock& polygon, unsigned keep) {
     std::uint16_t* link = &polygon.first_segment;

@@ -1,5 +1,5 @@
-// The visible segment generator (seed 1, Fig. 10): facets go in when their first line comes, a stream of visible spans comes out
-// line by line.
+// The visible segment generator (seed 1, Fig. 10): facets go in when their first line comes, a stream of visible spans
+// comes out line by line.
 #pragma once
 
 #include "core/vsg/depth_sorter.hpp"
@@ -46,12 +46,16 @@ class VisibleSegments {
   // Forgets everything; what comes next lies on lines [top, bottom).
   void begin_band(std::int32_t bottom);
 
+  // Whether there is room for colours along edges; if not, FacetLook::gouraud is not to be set.
+  bool has_colours() const { return store_.has_shades(); }
+
   // Before the first facet of a line is put in.
   void begin_line(std::int32_t line) {
     polygons_.filter_changing([&](std::uint16_t polygon) { return !eliminator_.release(polygon, edges_, line); });
   }
 
-  // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as FacetReader::read.
+  // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as
+  // FacetReader::read.
   template <typename Colour>
   Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour);
 
@@ -76,7 +80,7 @@ class VisibleSegments {
   template <typename Colour>
   struct EdgeSink;
 
-  Room enter(std::uint16_t polygon, EnteringEdge edge, std::int32_t line);
+  Room enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line);
   Room enter_waiting(std::int32_t line);
   bool make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line);
   void note_pools();
@@ -165,10 +169,12 @@ struct VisibleSegments<kOptions>::EdgeSink {
 
 template <VsgOptions kOptions>
 template <typename Colour>
-Room VisibleSegments<kOptions>::add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour) {
+Room VisibleSegments<kOptions>::add(std::uint16_t face, std::int32_t line, const FacetLook& look,
+                                    const Colour& colour) {
   const bool triangle = reader_->face().corners.size() == 3 && !reader_->clipped();
-  const bool gouraud = look.gouraud && store_.has_shades();
-  const auto flags = static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (gouraud ? PolygonBlock::kGouraud : 0));
+  CHECK(!look.gouraud || has_colours());
+  const auto flags =
+      static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0));
   std::uint16_t polygon = polygons_.open(face, flags, look.payload);
   while (polygon == 0) {
     if (!make_room("polygons", polygons_.capacity(), face, line)) return Room::left_out;
@@ -182,7 +188,7 @@ Room VisibleSegments<kOptions>::add(std::uint16_t face, std::int32_t line, const
 
 // Files an edge; while there is no block for it, the highest face goes, perhaps the edge's own.
 template <VsgOptions kOptions>
-Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, EnteringEdge edge, std::int32_t line) {
+Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line) {
   const std::uint16_t face = polygons_[polygon].face;
   while (!generator_.insert(polygon, edge)) {
     if (make_room("segments", store_.capacity(), face, line)) continue;
@@ -198,9 +204,16 @@ Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, EnteringEdge edge, 
 
 // Drops the live polygon with the highest face if that is above `face`. Notes the shortage.
 template <VsgOptions kOptions>
-bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line) {
+bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capacity, std::uint16_t face,
+                                          std::int32_t line) {
   const bool same = !status_.ok() && status_.line == static_cast<std::uint32_t>(line) && status_.where == pool;
-  status_ = {Code::pool_exhausted, pool, "", face, static_cast<std::uint32_t>(line), (same ? status_.needed : capacity) + 1u, capacity};
+  status_ = {Code::pool_exhausted,
+             pool,
+             "",
+             face,
+             static_cast<std::uint32_t>(line),
+             (same ? status_.needed : capacity) + 1u,
+             capacity};
   if constexpr (kOptions.statistics) ++sorter_.statistics().facets_left_out;
   const std::uint16_t last = polygons_.last_face();
   if (last == 0 || polygons_[last].face <= face) return false;
@@ -215,7 +228,7 @@ Room VisibleSegments<kOptions>::enter_waiting(std::int32_t line) {
     const EdgeBlock block = edges_[index];
     edges_.give(index);
     const bool gouraud = store_.has_shades();
-    const EnteringEdge edge{start_edge(block.edge, line, true), gouraud ? shade_edge(block.edge) : EdgeShade{}};
+    const PlacedEdge edge{start_edge(block.edge, line, true), gouraud ? shade_edge(block.edge) : EdgeShade{}};
     for (const std::uint16_t polygon : block.polygons) {
       // Making room for the first may have dropped the second: its block then names no face.
       if (polygon == 0 || polygons_[polygon].face == kNoFace) continue;

@@ -1,6 +1,6 @@
-// The X-sort list (III.F): segments in order of their left edge. While one line's list is taken from the front, the next line's
-// is put together at the back, almost always by appending; what enters on a line waits in a short list of its own and is merged
-// on the way.
+// The X-sort list (III.F): segments in order of their left edge. While one line's list is taken from the front, the
+// next line's is put together at the back, almost always by appending; what enters on a line waits in a short list of
+// its own and is merged on the way.
 #pragma once
 
 #include <utility>
@@ -90,7 +90,8 @@ class XSortList {
   bool peek(std::int32_t& key) {
     const bool any = current_.peek(*store_, key);
     std::int32_t entering = 0;
-    take_entering_ = entering_.peek(*store_, entering) && (!any || entering < key || (entering == key && enters_first()));
+    take_entering_ =
+        entering_.peek(*store_, entering) && (!any || entering < key || (entering == key && enters_first()));
     if (take_entering_) key = entering;
     return any || take_entering_;
   }
@@ -99,9 +100,9 @@ class XSortList {
 
   // Files a block, stepped to the next line, into that line's list. Returns true where it went to the end.
   //
-  // The block furthest right so far is kept back in a register, so that those it has overtaken still go to the end of the list,
-  // before it; and the last block of the list is in a register too, so that its forward link costs no reference (the listing
-  // counts likewise).
+  // The block furthest right so far is kept back in a register, so that those it has overtaken still go to the end of
+  // the list, before it; and the last block of the list is in a register too, so that its forward link costs no
+  // reference (the listing counts likewise).
   bool append(std::uint16_t index) {
     SegmentBlock& block = store_->held(index);
     block.flags = SegmentBlock::kListed;
@@ -177,8 +178,8 @@ class XSortList {
   bool take_entering_ = false;
 };
 
-// VSG5: a bucket for every column, this line's and the next line's (Romney). Kept for the measured comparison; the accesses to
-// the buckets themselves are not counted, as in the seed. Columns off the screen share the end buckets.
+// VSG5: a bucket for every column, this line's and the next line's (Romney). Kept for the measured comparison; the
+// accesses to the buckets themselves are not counted, as in the seed. Columns off the screen share the end buckets.
 template <bool kCount>
 class XSortBuckets {
  public:

@@ -1,0 +1,40 @@
+// The shapes, one file each. Right-handed, y up, faces counter-clockwise as seen from outside.
+#pragma once
+
+#include <istream>
+
+#include "mesh.hpp"
+
+namespace spanline::make {
+
+// Bezier patches (the .bpt text, z up) diced into `steps` x `steps` quads each, or twice as many triangles.
+Mesh dice_patches(std::istream& bpt, int steps, bool triangles);
+
+// A gear in the x-y plane with a bore, a raised hub that pierces the web, and `holes` round holes in the web (a divisor
+// of `teeth`); its faces are concave n-gons from hole to hole. The pitch radius is teeth / 20, so gears of any two
+// sizes mesh.
+Mesh gear(int teeth, int holes);
+
+// The parts of a round instrument of radius 1 in the x-y plane: the rim round its glass, the dial, on it a scale of coloured
+// zones and ticks from 135 degrees left of the top to 135 right of it, and the needle, pointing up, that turns before them.
+Mesh gauge_rim();
+Mesh gauge_dial();
+Mesh gauge_scale();
+Mesh gauge_needle();
+
+// A tube along the (2, 3) torus knot: `along` x `around` quads.
+Mesh torus_knot(int along, int around);
+
+// The word SPAN, extruded. P and A have a hole, joined to the outline by a bridge edge, since OBJ has no holes.
+Mesh letters();
+
+// Three cubes turned against each other about one centre: every face is pierced.
+Mesh penetrating_cubes();
+
+// A floor of `squares` x `squares` in two materials, from -1 to 1 in x and z.
+Mesh checkered_floor(int squares);
+
+// Hills and a lake of `cells` x `cells` split quads, each triangle flat, coloured by height and slope.
+Mesh landscape(int cells);
+
+}  // namespace spanline::make

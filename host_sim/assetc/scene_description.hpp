@@ -1,0 +1,97 @@
+// A scene as the user wrote it, in doubles: what the OBJ and JSON readers make and the compiler turns into records.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assetc/motion.hpp"
+#include "assetc/obj.hpp"
+
+namespace spanline::host {
+
+using Shading = MaterialRecord::Shading;
+
+struct MaterialSpec {
+  std::string name;
+  Color color{200, 205, 215};
+  Shading shading = Shading::kFlat;
+};
+
+// A face of one or more rings; the first is the outline, whose direction says which side is the front.
+struct MeshFace {
+  std::uint32_t first_corner;
+  std::uint32_t corner_count;
+  std::uint32_t first_ring;  // into MeshSource::rings; unused with a single ring
+  std::uint32_t ring_count;
+  std::int32_t material;  // into SceneDescription::materials, or kNone: `default_material` of the scene
+};
+
+struct MeshSource {
+  std::string name;
+  std::string place;  // for messages: the file, or the JSON path of an inline mesh
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<ObjCorner> corners;
+  std::vector<std::uint16_t> rings;  // ring lengths of faces with several
+  std::vector<MeshFace> faces;
+};
+
+// How the faces of an OBJ are shaded by themselves.
+enum class MeshShading { automatic, flat, gouraud, unlit };
+
+struct InstanceSpec {
+  std::int32_t mesh = 0;
+  std::int32_t material = kNone;
+  bool cull = true;
+  bool hidden = false;
+  bool on_screen = false;           // see InstanceRecord::kScreen
+  std::optional<Placement> matrix;  // given as it is; otherwise by `pose`
+  bool turn_by_axis = false;  // how the four turn numbers of the pose are meant: x, y, z, angle; or x, y, z angles
+  Pose pose{0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
+  Motion motion;
+
+  Placement placement(std::int64_t frame) const;
+};
+
+struct CameraSpec {
+  bool has_eye = false;
+  bool has_target = false;
+  Vec3 eye, target;
+  Vec3 up{0, 1, 0};
+  double fov = 45;                  // degrees, vertical
+  std::optional<double> near, far;  // absent: around the bounding sphere
+  Motion motion;
+};
+
+struct LightSpec {
+  Vec3 direction;  // the way it travels; not zero
+  Vec3 intensity{0.75, 0.75, 0.75};
+};
+
+struct SceneDescription {
+  std::string place;  // the file given on the command line
+  std::uint16_t width = 320, height = 240;
+  CameraSpec camera;
+  Vec3 ambient{0.25, 0.25, 0.25};
+  std::optional<std::vector<LightSpec>> lights;  // absent: the default light
+  BackgroundRecord background{{18, 22, 42}, {66, 76, 104}};
+  std::vector<MaterialSpec> materials;
+  std::vector<MeshSource> meshes;
+  std::vector<InstanceSpec> instances;
+};
+
+// Appends the mesh of an OBJ and its materials to `scene`; the index of the new mesh.
+std::int32_t add_obj(SceneDescription& scene, const ObjMesh& obj, const std::string& name, const std::string& place,
+                     MeshShading shading);
+
+// One instance of an OBJ, seen by the default camera.
+SceneDescription describe_obj(const std::string& path, MeshShading shading);
+
+// One instance of an OBJ whose x, y are whole 1/16 px (y down) and z a whole depth 0 … 65535. Throws InputError with
+// the line of a vertex that is anything else. Where the file has no colours, faces are painted by their slope and
+// number.
+SceneDescription describe_screen_obj(const std::string& path);
+
+}  // namespace spanline::host

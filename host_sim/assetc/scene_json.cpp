@@ -1,0 +1,233 @@
+#include "assetc/scene_json.hpp"
+
+#include <map>
+
+#include "assetc/json_node.hpp"
+#include "assetc/motion_json.hpp"
+#include "assetc/text_file.hpp"
+#include "core/geom/screen.hpp"
+
+namespace spanline::host {
+namespace {
+
+constexpr double kMaxIntensity =
+    16;  // Q8.8 records hold up to 255; four lights and the ambient add up in 16 bits of Q8.8
+
+using Names = std::map<std::string, std::int32_t>;
+
+// What `node` names, one of `names`.
+std::int32_t look_up(const JsonNode& node, const Names& names, const char* kind) {
+  const std::string name = node.text();
+  const auto found = names.find(name);
+  if (found == names.end()) node.fail(std::string("there is no ") + kind + " '" + printable(name) + "'");
+  return found->second;
+}
+
+void add_name(const JsonNode& node, Names& names, std::size_t index) {
+  const std::string name = node.text();
+  if (!names.emplace(name, static_cast<std::int32_t>(index)).second) node.fail("the name is taken");
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+Color read_hex_color(const JsonNode& node) {
+  const std::string text = node.text();
+  std::uint8_t channels[3] = {};
+  bool good = text.size() == 7 && text[0] == '#';
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const int high = hex_digit(text[1 + 2 * i]), low = hex_digit(text[2 + 2 * i]);
+    good = high >= 0 && low >= 0;
+    channels[i] = static_cast<std::uint8_t>(16 * high + low);
+  }
+  if (!good) node.fail("must be [r, g, b] or \"#rrggbb\"");
+  return {channels[0], channels[1], channels[2]};
+}
+
+Color read_color(const JsonNode& node) {
+  if (node.is_string()) return read_hex_color(node);
+  if (!node.is_array() || node.size() != 3) node.fail("must be [r, g, b] or \"#rrggbb\"");
+  std::vector<std::uint8_t> channels;
+  for (const JsonNode& element : node.elements()) channels.push_back(static_cast<std::uint8_t>(element.whole(0, 255)));
+  return {channels[0], channels[1], channels[2]};
+}
+
+Vec3 read_intensity(const JsonNode& node) {
+  if (!node.is_array()) {
+    const double all = node.number(0, kMaxIntensity);
+    return {all, all, all};
+  }
+  if (node.size() != 3) node.fail("must be a number or three");
+  const std::vector<JsonNode> each = node.elements();
+  return {each[0].number(0, kMaxIntensity), each[1].number(0, kMaxIntensity), each[2].number(0, kMaxIntensity)};
+}
+
+BackgroundRecord read_background(const JsonNode& node) {
+  if (!node.is_object()) return {read_color(node), read_color(node)};
+  node.allow_keys({"top", "bottom"});
+  return {read_color(node.require("top")), read_color(node.require("bottom"))};
+}
+
+void read_size(const JsonNode& node, SceneDescription& scene) {
+  const std::vector<JsonNode> sides = node.elements();
+  if (sides.size() != 2) node.fail("must be [width, height]");
+  scene.width = static_cast<std::uint16_t>(sides[0].whole(1, kMaxExtent));
+  scene.height = static_cast<std::uint16_t>(sides[1].whole(1, kMaxExtent));
+}
+
+std::vector<LightSpec> read_lights(const JsonNode& node) {
+  std::vector<LightSpec> lights;
+  for (const JsonNode& each : node.elements()) {
+    each.allow_keys({"direction", "intensity"});
+    if (lights.size() == kMaxLights) node.fail("has more than " + std::to_string(kMaxLights) + " lights");
+    LightSpec light;
+    light.direction = each.require("direction").point();
+    if (largest(light.direction) == 0) each.require("direction").fail("is zero: it has no direction");
+    if (const auto intensity = each.find("intensity")) light.intensity = read_intensity(*intensity);
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+template <typename T>
+T read_choice(const JsonNode& node, const std::map<std::string, T>& choices) {
+  const auto found = choices.find(node.text());
+  if (found != choices.end()) return found->second;
+  std::string all;
+  for (const auto& [name, value] : choices) all += (all.empty() ? "\"" : ", \"") + name + "\"";
+  node.fail("must be one of " + all);
+}
+
+void read_materials(const JsonNode& node, SceneDescription& scene, Names& names) {
+  for (const JsonNode& each : node.elements()) {
+    each.allow_keys({"name", "color", "shading"});
+    add_name(each.require("name"), names, scene.materials.size());
+    MaterialSpec material;
+    material.name = each.require("name").text();
+    material.color = read_color(each.require("color"));
+    if (const auto shading = each.find("shading")) {
+      material.shading = read_choice<Shading>(
+          *shading, {{"flat", Shading::kFlat}, {"gouraud", Shading::kGouraud}, {"unlit", Shading::kUnlit}});
+    }
+    scene.materials.push_back(material);
+  }
+}
+
+// Appends the corners of one ring; its length.
+std::uint32_t read_ring(const JsonNode& node, MeshSource& mesh) {
+  const std::vector<JsonNode> indices = node.elements(3);
+  if (indices.size() > 65535) node.fail("has more than 65535 corners");
+  const std::size_t first = mesh.corners.size();
+  for (const JsonNode& index : indices) {
+    const auto position = static_cast<std::int32_t>(index.whole(0, std::ssize(mesh.positions) - 1));
+    if (mesh.corners.size() > first && mesh.corners.back().position == position)
+      index.fail("repeats the vertex before it");
+    mesh.corners.push_back({position});
+  }
+  if (mesh.corners.back().position == mesh.corners[first].position) node.fail("ends in the vertex that it begins with");
+  return static_cast<std::uint32_t>(indices.size());
+}
+
+void read_face(const JsonNode& node, MeshSource& mesh, std::int32_t material) {
+  MeshFace face{static_cast<std::uint32_t>(mesh.corners.size()), 0, static_cast<std::uint32_t>(mesh.rings.size()), 1,
+                material};
+  const std::vector<JsonNode> parts = node.elements(1);
+  if (!parts[0].is_array()) {
+    face.corner_count = read_ring(node, mesh);
+  } else {
+    face.ring_count = static_cast<std::uint32_t>(parts.size());
+    for (const JsonNode& ring : parts) {
+      const std::uint32_t length = read_ring(ring, mesh);
+      face.corner_count += length;
+      if (parts.size() > 1) mesh.rings.push_back(static_cast<std::uint16_t>(length));
+    }
+    if (face.corner_count > 65535) node.fail("has more than 65535 corners");
+  }
+  mesh.faces.push_back(face);
+}
+
+void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names& materials) {
+  MeshSource mesh;
+  mesh.name = node.require("name").text();
+  mesh.place = node.place();
+  std::int32_t material = kNone;
+  if (const auto given = node.find("material")) material = look_up(*given, materials, "material");
+  for (const JsonNode& vertex : node.require("vertices").elements(3)) mesh.positions.push_back(vertex.point());
+  const std::vector<JsonNode> faces = node.require("faces").elements(1);
+  if (faces.size() > kMaxSceneFaces) node.require("faces").fail("more than 65535 faces in one mesh");
+  for (const JsonNode& face : faces) read_face(face, mesh, material);
+  scene.meshes.push_back(std::move(mesh));
+}
+
+void read_obj_mesh(const JsonNode& node, SceneDescription& scene) {
+  const JsonNode file = node.require("obj");
+  const std::string path = path_beside(node.file(), file.text());
+  const std::string name = node.require("name").text();
+  auto shading = MeshShading::automatic;
+  if (const auto given = node.find("shading")) {
+    shading = read_choice<MeshShading>(*given, {{"auto", MeshShading::automatic},
+                                                {"flat", MeshShading::flat},
+                                                {"gouraud", MeshShading::gouraud},
+                                                {"unlit", MeshShading::unlit}});
+  }
+  try {
+    add_obj(scene, read_obj(path), name, file.place(), shading);
+  } catch (const InputError& error) {
+    file.fail(error.what());
+  }
+}
+
+void read_meshes(const JsonNode& node, SceneDescription& scene, const Names& materials, Names& names) {
+  for (const JsonNode& each : node.elements(1)) {
+    if (!each.is_object()) each.fail("must be an object");
+    add_name(each.require("name"), names, scene.meshes.size());
+    if (each.find("obj")) {
+      each.allow_keys({"name", "obj", "shading"});
+      read_obj_mesh(each, scene);
+    } else {
+      each.allow_keys({"name", "vertices", "faces", "material"});
+      read_inline_mesh(each, scene, materials);
+    }
+  }
+}
+
+void read_instances(const JsonNode& node, SceneDescription& scene, const Names& materials, const Names& meshes) {
+  for (const JsonNode& each : node.elements(1)) {
+    each.allow_keys({"mesh", "material", "matrix", "translate", "rotate", "scale", "cull", "hidden", "motion"});
+    InstanceSpec instance;
+    instance.mesh = look_up(each.require("mesh"), meshes, "mesh");
+    if (const auto material = each.find("material")) instance.material = look_up(*material, materials, "material");
+    if (const auto cull = each.find("cull")) instance.cull = cull->boolean();
+    if (const auto hidden = each.find("hidden")) instance.hidden = hidden->boolean();
+    read_placement(each, instance);
+    scene.instances.push_back(instance);
+  }
+}
+
+}  // namespace
+
+SceneDescription parse_scene(const std::string& name, std::string_view text) {
+  const nlohmann::json document = parse_json(name, text);
+  const JsonNode root(document, name);
+  root.allow_keys({"size", "camera", "ambient", "lights", "background", "materials", "meshes", "instances"});
+  SceneDescription scene;
+  scene.place = name;
+  Names materials, meshes;
+  if (const auto size = root.find("size")) read_size(*size, scene);
+  if (const auto camera = root.find("camera")) read_camera(*camera, scene.camera);
+  if (const auto ambient = root.find("ambient")) scene.ambient = read_intensity(*ambient);
+  if (const auto lights = root.find("lights")) scene.lights = read_lights(*lights);
+  if (const auto background = root.find("background")) scene.background = read_background(*background);
+  if (const auto list = root.find("materials")) read_materials(*list, scene, materials);
+  read_meshes(root.require("meshes"), scene, materials, meshes);
+  read_instances(root.require("instances"), scene, materials, meshes);
+  return scene;
+}
+
+SceneDescription read_scene(const std::string& path) { return parse_scene(path, read_file(path)); }
+
+}  // namespace spanline::host

@@ -1,0 +1,44 @@
+#include "sim/host_memory.hpp"
+
+namespace spanline::host {
+
+std::uint16_t* PoolSizes::find(const std::string& pool) {
+  if (pool == "facets") return &facets;
+  if (pool == "vertices") return &vertices;
+  if (pool == "polygons") return &polygons;
+  if (pool == "edges") return &edges;
+  if (pool == "segments") return &segments;
+  if (pool == "samples") return &samples;
+  if (pool == "implied") return &implied;
+  return nullptr;
+}
+
+HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes)
+    : screen_(screen),
+      facets_(sizes.facets),
+      buckets_(band_lines),
+      vertices_(sizes.vertices),
+      polygons_(sizes.polygons),
+      edges_(sizes.edges),
+      segments_(sizes.segments),
+      shades_(sizes.segments),
+      active_(sizes.segments),
+      samples_{Blocks<std::int16_t>(sizes.samples), Blocks<std::int16_t>(sizes.samples)},
+      implied_(sizes.implied) {}
+
+FrameStorage HostMemory::storage() {
+  return {screen_,
+          facets_.ref(),
+          buckets_.ref(),
+          vertices_.ref(),
+          {polygons_.ref(),
+           edges_.ref(),
+           segments_.ref(),
+           shades_.ref(),
+           active_.ref(),
+           {samples_[0].ref(), samples_[1].ref()},
+           implied_.ref(),
+           nullptr}};
+}
+
+}  // namespace spanline::host

@@ -1,0 +1,54 @@
+// A FrameMemory whose sizes are chosen at run time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/frame/storage.hpp"
+
+namespace spanline::host {
+
+struct PoolSizes {
+  std::uint16_t facets = 65535, vertices = 65535, polygons = 65534, edges = 65534, segments = 65534, samples = 32767,
+                implied = 32767;
+
+  // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
+  std::uint16_t* find(const std::string& pool);
+};
+
+class HostMemory {
+ public:
+  // `band_lines`: the longest band, at least 1.
+  HostMemory(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes);
+  HostMemory(const HostMemory&) = delete;
+  HostMemory& operator=(const HostMemory&) = delete;
+
+  FrameStorage storage();
+
+ private:
+  // The blocks and their sink.
+  template <typename T>
+  class Blocks {
+   public:
+    explicit Blocks(std::uint16_t capacity) : items_(std::size_t{capacity} + 1), capacity_(capacity) {}
+    PoolRef<T> ref() { return {items_.data(), capacity_}; }
+
+   private:
+    std::vector<T> items_;
+    std::uint16_t capacity_;
+  };
+
+  Screen screen_;
+  Blocks<WaitingFacet> facets_;
+  Blocks<std::uint16_t> buckets_;
+  Blocks<ScreenPoint> vertices_;
+  Blocks<PolygonBlock> polygons_;
+  Blocks<EdgeBlock> edges_;
+  Blocks<SegmentBlock> segments_;
+  Blocks<SegmentShade> shades_;
+  Blocks<ActiveSegment> active_;
+  Blocks<std::int16_t> samples_[2];
+  Blocks<ImpliedEdge> implied_;
+};
+
+}  // namespace spanline::host

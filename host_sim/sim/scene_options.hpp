@@ -1,0 +1,32 @@
+// The options that say what is seen: shared by the verbs that take a scene.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "assetc/scene_description.hpp"
+
+namespace spanline::host {
+
+class SceneOptions {
+ public:
+  // Adds SCENE and the options of size, camera and light to a verb.
+  void add_to(CLI::App& verb);
+
+  // Reads the scene and lays the options over it. Throws UsageError and InputError.
+  SceneDescription load(bool on_screen) const;
+
+  bool camera_given() const { return eye_ || target_ || up_ || fov_ || near_ || far_; }
+  bool light_given() const { return light_.has_value(); }
+
+ private:
+  void lay_camera_over(CameraSpec& camera) const;
+  SceneDescription read(bool on_screen) const;
+
+  std::string scene_;
+  std::optional<std::string> size_, eye_, target_, up_, fov_, near_, far_, light_, shading_;
+  bool no_cull_ = false;
+};
+
+}  // namespace spanline::host

@@ -1,0 +1,48 @@
+// The frame loop that is measured, the same on the target and on the host.
+#pragma once
+
+#include "core/frame/frame.hpp"
+
+namespace spanline::target {
+
+struct Picture {
+  std::uint32_t checksum = 2166136261u;  // FNV-1a over the bytes of all lines
+  std::uint32_t bands = 0;
+  Status status;
+
+  void add(Slice<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) checksum = (checksum ^ byte) * 16777619u;
+  }
+};
+
+// The memory that a program with `kBudget` needs besides its stack. The two line buffers take turns, as they would with
+// DMA.
+template <Budget kBudget>
+struct Program {
+  static constexpr std::uint32_t kLineBytes = bytes_per_line(kBudget.format, kBudget.width);
+  static inline FrameMemory<kBudget> memory;
+  alignas(4) static inline std::uint8_t lines[2][kLineBytes];
+  static inline Picture picture;
+
+  static void draw(const SceneRecord& scene, const CameraRecord& camera) {
+    picture = {};
+    SceneView view;
+    picture.status = SceneView::validate(scene, view);
+    if (!picture.status.ok()) return;
+    Frame<> frame(memory.storage());
+    unsigned turn = 0;
+    for (Band rest{0, kBudget.height}; !rest.empty();) {
+      const Band band = frame.prepare(view, camera, rest);
+      if (band.empty()) break;
+      ++picture.bands;
+      while (frame.next_line(lines[turn])) {
+        picture.add(lines[turn]);
+        turn ^= 1;
+      }
+      rest.top = band.bottom;
+    }
+    picture.status = frame.status();
+  }
+};
+
+}  // namespace spanline::target

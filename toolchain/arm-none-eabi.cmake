@@ -1,0 +1,25 @@
+# Bare-metal Cortex-M with Debian's arm-none-eabi-g++. SPANLINE_CPU picks the core; floating point is soft on all of them,
+# since the engine has none: what would need it shows up as an undefined symbol.
+set(SPANLINE_CPU cortex-m0 CACHE STRING "Cortex-M core, as GCC names it")
+set(SPANLINE_CPUS cortex-m0 cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
+set_property(CACHE SPANLINE_CPU PROPERTY STRINGS ${SPANLINE_CPUS})
+if(NOT SPANLINE_CPU IN_LIST SPANLINE_CPUS)
+  message(FATAL_ERROR "SPANLINE_CPU is '${SPANLINE_CPU}', which is none of: ${SPANLINE_CPUS}")
+endif()
+
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR arm)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # there is no board to link for while CMake tries the compiler
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SPANLINE_CPU)
+
+set(spanline_cpu_flags "-mcpu=${SPANLINE_CPU} -mthumb -mfloat-abi=soft -ffunction-sections -fdata-sections")
+set(CMAKE_C_FLAGS_INIT "${spanline_cpu_flags}")
+set(CMAKE_CXX_FLAGS_INIT "${spanline_cpu_flags}")
+set(CMAKE_ASM_FLAGS_INIT "${spanline_cpu_flags}")
+
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
