@@ -66,7 +66,7 @@ Mesh gauge_scale() {
 
 // A ridge along the middle gives it a light and a dark side.
 Mesh gauge_needle() {
-  constexpr double kTail = -0.2, kTip = 0.68, kHalf = 0.06, kBase = -0.06, kRidge = 0.0;
+  constexpr double kTail = -0.2, kTip = 0.68, kHalf = 0.06, kBase = -0.06, kRidge = 0;
   Mesh mesh;
   const Vec tail = {0, kTail, kBase}, tip = {0, kTip, kBase}, left = {-kHalf, 0, kBase}, right = {kHalf, 0, kBase};
   const Vec top = {0, 0, kRidge};

@@ -1,5 +1,5 @@
-// Demos: board-independent scenes that move. Tables in flash (made by `spanline assets`), poses by integer arithmetic from the
-// frame number alone, so frame k is the same picture on every core and on the host.
+// Demos: board-independent scenes that move. Tables in flash (made by `spanline assets`), poses by integer arithmetic
+// from the frame number alone, so frame k is the same picture on every core and on the host.
 //
 //   constexpr Screen kScreen{320, 240, PixelFormat::rgb565};
 //   constexpr demos::Demo kDemo = demos::chosen(kScreen);     // demos/chosen.hpp; SPANLINE_DEMO=teapot at build time
@@ -26,26 +26,40 @@ struct Moving {
   CameraRecord& camera;
 };
 
-// One demo laid out for one shape of screen.
-struct Demo {
-  const char* name;
-  Budget budget;  // its pools; the screen's fields are not used
+// A compiled scene as it is seen.
+struct Shot {
   const SceneRecord* scene;
   const CameraRecord* camera;
   const Fx16 (*target)[3];      // world, what the camera looks at
+  const Fx16 (*origins)[3];     // of each mesh its own origin, as MeshRecord::origin
   std::uint16_t width, height;  // px, the picture that `camera` was made for: every screen shows at least that
-  void (*pose)(std::uint32_t frame, const Demo& demo, const Moving& moving);
 };
 
-// The layouts of one demo.
-struct Layouts {
-  Demo wide;   // as wide as high or wider
-  Demo tall;   // higher than wide
-  Demo small;  // fewer than kSmallHeight lines: closer, simpler, more contrast
+// One demo laid out for one shape of screen.
+struct Demo {
+  const char* name;
+  void (*pose)(std::uint32_t frame, const Shot& shot, const Moving& moving);
+  Shot shot;
+  Budget budget;  // its pools; the screen's fields are not used
+};
 
+// A demo with its layouts.
+struct Layouts {
+  struct Layout {
+    Shot shot;
+    Budget budget;
+  };
   static constexpr std::uint16_t kSmallHeight = 128;  // px
-  constexpr const Demo& framed_for(const Screen& screen) const {
-    return screen.height < kSmallHeight ? small : screen.height > screen.width ? tall : wide;
+
+  const char* name;
+  void (*pose)(std::uint32_t frame, const Shot& shot, const Moving& moving);
+  Layout wide;   // as wide as high or wider
+  Layout tall;   // higher than wide
+  Layout small;  // fewer than kSmallHeight lines: closer, simpler, more contrast
+
+  constexpr Demo framed_for(const Screen& screen) const {
+    const Layout& layout = screen.height < kSmallHeight ? small : screen.height > screen.width ? tall : wide;
+    return {name, pose, layout.shot, layout.budget};
   }
 };
 
@@ -55,6 +69,20 @@ constexpr Budget budget_for(const Demo& demo, const Screen& screen) {
   budget.width = screen.width;
   budget.height = screen.height;
   budget.format = screen.format;
+  return budget;
+}
+
+// The same where memory is dear (a microcontroller of 16 KB): nothing kept that can be computed again. It costs time and no
+// pixel.
+constexpr Budget tight(Budget budget) {
+  const auto at_least = [](unsigned least, unsigned blocks) {
+    return static_cast<std::uint16_t>(blocks > least ? blocks : least);
+  };
+  budget.facets = at_least(budget.polygons, budget.facets / 4u);
+  budget.vertices = static_cast<std::uint16_t>(budget.vertices / 8);
+  budget.edges = at_least(16, budget.edges / 4u);
+  budget.active = 16;
+  budget.implied = 2;
   return budget;
 }
 

@@ -7,29 +7,20 @@
 
 namespace spanline::demos {
 
-void pose_teapot(std::uint32_t frame, const Demo& demo, const Moving& moving);
+void pose_teapot(std::uint32_t frame, const Shot& shot, const Moving& moving);
 
-namespace layout {
+inline constexpr Layouts::Layout kTeapotLarge{
+    {&teapot_scene::scene, &teapot_scene::camera, &teapot_scene::kTarget, teapot_scene::kOrigins, teapot_scene::kWidth,
+     teapot_scene::kHeight},
+    {.facets = 576, .vertices = 530, .polygons = 80, .edges = 40, .segments = 80, .implied = 8}};
 
-inline constexpr Demo kTeapot{"teapot",
-                              {.facets = 640, .vertices = 620, .polygons = 96, .edges = 64, .segments = 96},
-                              &teapot_scene::scene,
-                              &teapot_scene::camera,
-                              &teapot_scene::kTarget,
-                              teapot_scene::kWidth,
-                              teapot_scene::kHeight,
-                              pose_teapot};
-inline constexpr Demo kTeapotSmall{"teapot",
-                                   {.facets = 640, .vertices = 620, .polygons = 96, .edges = 64, .segments = 96},
-                                   &teapot_small_scene::scene,
-                                   &teapot_small_scene::camera,
-                                   &teapot_small_scene::kTarget,
-                                   teapot_small_scene::kWidth,
-                                   teapot_small_scene::kHeight,
-                                   pose_teapot};
-
-}  // namespace layout
-
-inline constexpr Layouts teapot{layout::kTeapot, layout::kTeapot, layout::kTeapotSmall};
+inline constexpr Layouts teapot{
+    "teapot",
+    pose_teapot,
+    kTeapotLarge,
+    kTeapotLarge,
+    {{&teapot_small_scene::scene, &teapot_small_scene::camera, &teapot_small_scene::kTarget,
+      teapot_small_scene::kOrigins, teapot_small_scene::kWidth, teapot_small_scene::kHeight},
+     {.facets = 512, .vertices = 530, .polygons = 72, .edges = 32, .segments = 72, .samples = 48, .implied = 8}}};
 
 }  // namespace spanline::demos

@@ -1,4 +1,5 @@
-// What a board offers and a panel offers, as concepts. Each has one contract test that every implementation passes on the host.
+// What a board offers and a panel offers, as concepts. Each has one contract test that every implementation passes on
+// the host.
 #pragma once
 
 #include <concepts>
@@ -32,15 +33,21 @@ concept DmaChannel = requires(T dma, Slice<const std::uint8_t> bytes) {
   { dma.fault() } -> std::same_as<Fault>;  // of the transfer started last
 };
 
-// A master-only SPI bus, 8 bits, MSB first. set_clock asks for at most `hz` and returns what was reached. write() returns when
-// the last bit has left the wire; start() begins an asynchronous transfer (by DMA where the bus has it, else it is done when it
-// returns) and wait() ends it, both bounded.
+// A master-only SPI bus, 8 bits, MSB first. set_clock asks for at most `hz` and returns what was reached. write()
+// returns when the last bit has left the wire; start() begins an asynchronous transfer (by DMA where the bus has it,
+// else it is done when it returns) and wait() ends it, both bounded.
 template <typename T>
 concept SpiBus = requires(T bus, std::uint32_t hz, Slice<const std::uint8_t> bytes) {
   { bus.set_clock(hz) } -> std::same_as<std::uint32_t>;
   { bus.write(bytes) } -> std::same_as<Fault>;
   { bus.start(bytes) } -> std::same_as<Fault>;
   { bus.wait() } -> std::same_as<Fault>;
+};
+
+// A bus whose clock polarity and phase can be chosen: SPI mode 0 to 3. A bus without set_mode is in mode 0.
+template <typename T>
+concept SpiModes = SpiBus<T> && requires(T bus, std::uint8_t mode) {
+  { bus.set_mode(mode) } -> std::same_as<void>;
 };
 
 enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
@@ -52,8 +59,9 @@ struct Window {
   constexpr std::uint16_t height() const { return static_cast<std::uint16_t>(bottom - top); }
 };
 
-// A display controller behind a bus. begin() resets and initialises it. open() sets the window that the lines to come fill, top
-// to bottom; send() starts the transfer of one line of the window in the panel's format and returns at once, wait() ends it.
+// A display controller behind a bus. begin() resets and initialises it. open() sets the window that the lines to come
+// fill, top to bottom; send() starts the transfer of one line of the window in the panel's format and returns at once,
+// wait() ends it.
 template <typename T>
 concept Panel = requires(T panel, const Window& window, Slice<const std::uint8_t> line) {
   { T::kFormat } -> std::convertible_to<PixelFormat>;

@@ -61,6 +61,7 @@ class CompiledScene {
   const View& view() const { return view_; }
   const Sphere& bounds() const { return bounds_; }  // of what is drawn in frame 0, in the scene's own units
   const WorldFit& fit() const { return fit_; }
+  const std::vector<MeshFit>& mesh_fits() const { return mesh_fits_; }  // of each mesh
   const std::vector<MeshTables>& meshes() const { return meshes_; }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
   const std::vector<MaterialRecord>& materials() const { return materials_; }

@@ -60,10 +60,19 @@ std::string fixed3(const Fixed<F> (&v)[3]) {
 std::string declarations(const CompiledScene& scene) {
   Fx16 target[3];
   put(target, scene.fit()(scene.view().target));
+  std::string origins;
+  for (const MeshFit& fit : scene.mesh_fits()) {
+    Fx16 origin[3];
+    put(origin, fit(Vec3{}));
+    origins += "\n    " + fixed3(origin) + ",";
+  }
   std::ostringstream out;
   out << "inline constexpr std::uint16_t kWidth = " << scene.description().width << ";    // px\n"
       << "inline constexpr std::uint16_t kHeight = " << scene.description().height << ";  // px\n"
       << "inline constexpr spanline::Fx16 kTarget[3] = " << fixed3(target) << ";  // world, what the camera looks at\n"
+      << "// For each mesh, the origin of its own coordinates as the records have them: what turns about it needs to "
+         "know.\n"
+      << "inline constexpr spanline::Fx16 kOrigins[][3] = {" << origins << "};\n"
       << "extern const spanline::SceneRecord scene;\n"
       << "extern const spanline::CameraRecord camera;\n";
   return out.str();

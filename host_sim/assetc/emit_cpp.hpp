@@ -10,7 +10,8 @@ namespace spanline::host {
 // A C++ identifier made from a file's name: "tea-pot.cpp" gives "tea_pot".
 std::string identifier_from(const std::string& path);
 
-// The header: namespace `name` with `scene`, `camera`, `kWidth`, `kHeight` and `kTarget`, what the camera looks at.
+// The header: namespace `name` with `scene`, `camera`, `kWidth`, `kHeight`, `kTarget` (what the camera looks at) and
+// `kOrigins` (of the meshes).
 std::string emit_header(const CompiledScene& scene, const std::string& name);
 
 // The source. `header` is what it includes, or empty: then it declares what it defines itself.

@@ -105,7 +105,7 @@ bool Frame<kOptions>::file_facet(std::uint16_t face, std::uint16_t top, std::uin
   if (extent.right <= 0 || extent.left >= screen_.width) return true;
   if (count == facets_.capacity()) return false;
   const std::int32_t first = extent.first_line > top ? extent.first_line : top;
-  std::uint16_t& bucket = buckets_[static_cast<std::size_t>(first - top + 1)];
+  std::uint16_t& bucket = buckets_[static_cast<std::uint32_t>(first - top + 1)];
   facets_[++count] = {bucket, face};
   bucket = count;
   return true;
@@ -139,7 +139,7 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
 // Puts in the facets whose first line this is. False where the edge pool is full.
 template <FrameOptions kOptions>
 bool Frame<kOptions>::begin_facets(std::uint16_t line) {
-  const std::size_t bucket = static_cast<std::size_t>(line - (planned_ - height_) + 1);
+  const auto bucket = static_cast<std::uint32_t>(line - (planned_ - height_) + 1);
   for (std::uint16_t at = buckets_[bucket]; at != 0; at = facets_[at].next) {
     if (begin_facet(facets_[at].face, line) == Room::no_edges) return false;
   }

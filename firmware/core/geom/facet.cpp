@@ -84,9 +84,10 @@ std::uint16_t FacetReader::fill_cache() {
   cached_ = 0;
   std::uint32_t filled = 0;
   std::uint32_t first_face = 0;
-  for (std::uint16_t i = 0; i < scene_->instances.size(); ++i) {
+  for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
     const std::uint32_t first_vertex = filled;
-    enter_instance(i, static_cast<std::uint16_t>(first_face), static_cast<std::uint16_t>(first_vertex));
+    enter_instance(static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(first_face),
+                   static_cast<std::uint16_t>(first_vertex));
     const std::uint32_t count = mesh().positions.size();
     for (std::uint16_t v = 0; v < count && filled < cache_.capacity(); ++v) cache_[++filled] = compute(v);
     if (filled == cache_.capacity()) break;

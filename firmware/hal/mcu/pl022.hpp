@@ -1,4 +1,4 @@
-// ARM's PL022 synchronous serial port, as master, mode 0, 8 bits: in the LM3S6965 and the RP2040. (ARM DDI 0194)
+// ARM's PL022 synchronous serial port, as master, 8 bits: in the LM3S6965 and the RP2040. (ARM DDI 0194)
 #pragma once
 
 #include "core/base/slice.hpp"
@@ -22,6 +22,9 @@ class Pl022 {
  public:
   using Data = Register<Io, kBase + 0x08>;
 
+  // SPI mode 0 to 3, in force from the next set_clock() on.
+  void set_mode(std::uint8_t mode) { mode_ = mode; }
+
   // The port's clock is source_hz / (prescale * (1 + rate)), prescale even: the fastest that is at most `hz`, or the slowest
   // there is. Returns what was reached.
   std::uint32_t set_clock(std::uint32_t source_hz, std::uint32_t hz) {
@@ -35,7 +38,7 @@ class Pl022 {
     }
     Control1::set(0);
     Prescale::set(prescale);
-    Control0::set(rate << 8 | kEightBits);
+    Control0::set(rate << 8 | phase_and_polarity() | kEightBits);
     DmaControl::set(kTransmitDma);
     Control1::set(kEnable);
     cycles_per_byte_ = 8 * prescale * (1 + rate);
@@ -65,11 +68,15 @@ class Pl022 {
   }
 
  private:
+  // Mode bit 0 is the phase (SPH, bit 7), bit 1 the polarity (SPO, bit 6).
+  std::uint32_t phase_and_polarity() const { return (mode_ & 1u) << 7 | (mode_ & 2u) << 5; }
+
   static void drop_received() {
     for (std::uint32_t at_most = kFifo; at_most != 0 && State::any(kReceived); --at_most) static_cast<void>(Data::get());
   }
 
   std::uint32_t cycles_per_byte_ = 8 * 2 * 256;
+  std::uint8_t mode_ = 0;
 };
 
 }  // namespace spanline::hal

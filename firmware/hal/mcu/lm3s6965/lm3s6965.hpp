@@ -81,6 +81,7 @@ class Ssi0 {
     Pin<Io, 'A', 2>::begin_function();
     Pin<Io, 'A', 5>::begin_function();
   }
+  void set_mode(std::uint8_t mode) { port_.set_mode(mode); }
   std::uint32_t set_clock(std::uint32_t hz) { return port_.set_clock(kHz, hz); }
   Fault write(Slice<const std::uint8_t> bytes) { return port_.write(bytes); }
   Fault start(Slice<const std::uint8_t> bytes) { return port_.write(bytes); }

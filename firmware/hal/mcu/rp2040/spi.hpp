@@ -25,6 +25,7 @@ class Spi0 {
     Pin<Io, kData>::begin_function(kFunctionSpi);
     return fault;
   }
+  void set_mode(std::uint8_t mode) { port_.set_mode(mode); }
   std::uint32_t set_clock(std::uint32_t hz) { return port_.set_clock(kHz, hz); }
   Fault write(Slice<const std::uint8_t> bytes) { return port_.write(bytes); }
   Fault start(Slice<const std::uint8_t> bytes) { return transfer_.start(dma_, bytes); }

@@ -6,7 +6,7 @@
 
 namespace spanline::hal::stm32f4 {
 
-// The port itself: master, mode 0, 8 bits. kPerBus: cycles of the processor in one of the port's bus.
+// The port itself: master, 8 bits. kPerBus: cycles of the processor in one of the port's bus.
 template <RegisterIo Io, std::uint32_t kBase, std::uint32_t kPerBus>
 class SpiPort {
   using Control1 = Register<Io, kBase + 0x00>;
@@ -18,13 +18,16 @@ class SpiPort {
  public:
   using Data = Register<Io, kBase + 0x0C>;
 
+  // SPI mode 0 to 3, in force from the next set_clock() on: its bits are CPOL and CPHA as they lie in the register.
+  void set_mode(std::uint8_t mode) { mode_ = mode; }
+
   // bus_hz / 2, 4 … 256: the fastest that is at most `hz`, or the slowest there is. Returns what was reached.
   std::uint32_t set_clock(std::uint32_t bus_hz, std::uint32_t hz) {
     std::uint32_t power = 0;
     while (power < 7 && bus_hz >> (power + 1) > hz) ++power;
     Control1::set(0);
     Control2::set(kTransmitDma);
-    Control1::set(kSelectHigh | power << 3 | kMaster | kEnable);
+    Control1::set(kSelectHigh | power << 3 | kMaster | kEnable | mode_);
     cycles_per_byte_ = (8 * kPerBus) << (power + 1);
     return bus_hz >> (power + 1);
   }
@@ -57,6 +60,7 @@ class SpiPort {
   }
 
   std::uint32_t cycles_per_byte_ = 8 * kPerBus * 256;
+  std::uint8_t mode_ = 0;
 };
 
 // What distinguishes one port from another.
@@ -84,6 +88,7 @@ class Spi {
     Pin<Io, kWiring.clock_port, kWiring.clock_pin>::begin_function(kFunction);
     Pin<Io, kWiring.data_port, kWiring.data_pin>::begin_function(kFunction);
   }
+  void set_mode(std::uint8_t mode) { port_.set_mode(mode); }
   std::uint32_t set_clock(std::uint32_t hz) { return port_.set_clock(kPlan.apb2_hz(), hz); }
   Fault write(Slice<const std::uint8_t> bytes) { return port_.write(bytes); }
   Fault start(Slice<const std::uint8_t> bytes) { return transfer_.start(dma_, bytes); }
