@@ -41,6 +41,7 @@ int main(int argc, char** argv) try {
   save(folder, "gauge_dial.obj", make::gauge_dial(), "The dial of a round gauge");
   save(folder, "gauge_scale.obj", make::gauge_scale(), "The scale of a round gauge", "gauge_scale.mtl");
   save(folder, "gauge_needle.obj", make::gauge_needle(), "The needle of a round gauge");
+  save(folder, "torus.obj", make::torus(25, 20), "A ring of 1,000 triangles, closed");
   save(folder, "torus_knot.obj", make::torus_knot(96, 10), "A tube along the (2, 3) torus knot");
   save(folder, "letters.obj", make::letters(), "The word SPAN; a bridge edge joins each hole to its outline");
   save(folder, "cubes.obj", make::penetrating_cubes(), "Three cubes through one another", "cubes.mtl");

@@ -22,6 +22,9 @@ Mesh gauge_dial();
 Mesh gauge_scale();
 Mesh gauge_needle();
 
+// A ring about the y axis: 2 * `along` * `around` triangles, closed.
+Mesh torus(int along, int around);
+
 // A tube along the (2, 3) torus knot: `along` x `around` quads.
 Mesh torus_knot(int along, int around);
 

@@ -19,27 +19,28 @@ quiet cmake -G Ninja -S "$here/image" -B "$build" --toolchain "$source/toolchain
 quiet cmake --build "$build" -j 2 --target memory
 
 report=$build/memory.txt
-host=$("$4") || { echo "the host's twin failed: $host"; exit 1; }
+"$4" > "$build/host.txt" || { echo "the host's twin failed:"; cat "$build/host.txt"; exit 1; }
 status=0
 sh "$here/image_checks.sh" "$build/memory.elf" > "$report" || { cat "$report"; exit 1; }
 sh "$here/emulate.sh" "$5" "$build/memory.elf" >> "$report" || status=$?
 cat "$report"
-echo "host $host"
+sed 's/^/host /' "$build/host.txt"
 [ "$status" -eq 0 ] || { echo "the image ended with $status"; exit 1; }
 
-awk -v host="$host" '
-  function value(line, key) { return match(line, "(^| )" key "=[^ ]*") ? substr(line, RSTART + length(key) + (RSTART > 1) + 1, RLENGTH - length(key) - (RSTART > 1) - 1) : "" }
+awk '
+  { split("", v); for (i = 1; i <= NF; ++i) { split($i, pair, "="); v[pair[1]] = pair[2] } }
   function fail(text) { print "FAILED: " text; bad = 1 }
-  /^budget=/ {
+  NR == FNR { host[v["scene"]] = v["checksum"]; next }
+  "budget" in v {
     ++budgets
-    name = value($0, "budget")
-    most = name == "16K" ? 16384 : 8192
-    if (value($0, "status") != "ok") fail(name ": status " value($0, "status"))
-    if (value($0, "sum") + 0 > most) fail(name ": " value($0, "sum") " bytes are " value($0, "sum") - most " too many")
-    if (value($0, "stack") + 0 <= value($0, "frame") + 0) fail(name ": the stack was not measured")
-    if (value($0, "checksum") != value(host, "checksum")) fail(name ": not the picture of the host")
+    name = v["budget"] " " v["scene"]
+    most = v["budget"] == "16K" ? 16384 : 8192
+    if (v["status"] != "ok") fail(name ": status " v["status"])
+    if (v["sum"] + 0 > most) fail(name ": " v["sum"] " bytes are " v["sum"] - most " too many")
+    if (v["stack"] + 0 <= v["frame"] + 0) fail(name ": the stack was not measured")
+    if (v["checksum"] != host[v["scene"]]) fail(name ": not the picture of the host")
   }
   END {
-    if (budgets != 2) fail("two budgets expected, " budgets + 0 " reported")
+    if (budgets != 4) fail("two scenes in two budgets expected, " budgets + 0 " reported")
     exit bad
-  }' "$report"
+  }' "$build/host.txt" "$report"

@@ -8,19 +8,19 @@ trap 'rm -f "$made"' EXIT
 
 {
   echo
-  echo '| core | budget | `FrameMemory` | two lines | stack | of it `Frame` | sum | limit | bands | code and scene |'
-  echo '|---|---|--:|--:|--:|--:|--:|--:|--:|--:|'
+  echo '| core | scene | budget | `FrameMemory` | two lines | stack | of it `Frame` | sum | limit | bands | code and scene |'
+  echo '|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|'
   for cpu in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33; do
     awk -v cpu="$cpu" '
       { split("", v); for (i = 1; i <= NF; ++i) { split($i, pair, "="); v[pair[1]] = pair[2] } }
       $1 == "image" { code = v["code"] }
       "budget" in v {
-        printf "| %s | %s | %d | %d | %d | %d | **%d** | %d | %d | %d |\n", cpu, v["budget"], v["memory"], v["lines"], v["stack"],
+        printf "| %s | %s | %s | %d | %d | %d | %d | **%d** | %d | %d | %d |\n", cpu, v["scene"], v["budget"], v["memory"], v["lines"], v["stack"],
           v["frame"], v["sum"], v["budget"] * 1024, v["bands"], code
       }' "$1/$cpu/memory.txt"
   done
   echo
-  echo 'Bytes. Code is the whole image: engine, scene and the little around them.'
+  echo 'Bytes. Code is the whole image: engine, both scenes and the little around them.'
   echo
   echo 'What each pool costs; besides its blocks every pool has one more, the sink of its lists.'
   echo

@@ -1,9 +1,11 @@
-// Draws the teapot in both budgets and prints what each took, one line a budget, and what a block of each pool costs.
+// Draws the scenes in both budgets and prints what each took, one line a scene and budget, and what a block of each
+// pool costs.
 #include "machine/semihosting.hpp"
 #include "machine/stack.hpp"
 #include "memory/budgets.hpp"
 #include "memory/draw.hpp"
 #include "teapot.hpp"
+#include "torus.hpp"
 
 namespace spanline::target {
 namespace {
@@ -15,14 +17,20 @@ void print_pair(const char* key, std::uint32_t value) {
   print(value);
 }
 
+// What is measured takes no arguments, so that none of them lie on the stack.
+const SceneRecord* scene_to_draw;
+const CameraRecord* camera_to_draw;
+
 // The Frame lives on the stack of draw(): `stack` contains it.
 template <Budget kBudget>
-bool measure(const char* name) {
+bool measure(const char* name, const char* scene_name) {
   using Memory = Program<kBudget>;
-  const std::uint32_t stack = stack_used_by([] { Memory::draw(teapot::scene, teapot::camera); });
+  const std::uint32_t stack = stack_used_by([] { Memory::draw(*scene_to_draw, *camera_to_draw); });
   const Picture& picture = Memory::picture;
   print("budget=");
   print(name);
+  print(" scene=");
+  print(scene_name);
   print_pair("memory", sizeof Memory::memory);
   print_pair("lines", sizeof Memory::lines);
   print_pair("stack", stack);
@@ -70,8 +78,16 @@ void print_pools() {
 
 int main() {
   using namespace spanline::target;
-  const bool whole = measure<k16K>("16K");
-  const bool half = measure<k8K>("8K");
+  bool good = true;
+  const auto measure_both = [&](const char* name, const spanline::SceneRecord& scene,
+                                const spanline::CameraRecord& camera) {
+    scene_to_draw = &scene;
+    camera_to_draw = &camera;
+    good = measure<k16K>("16K", name) && good;
+    good = measure<k8K>("8K", name) && good;
+  };
+  measure_both("teapot", teapot::scene, teapot::camera);
+  measure_both("torus", torus::scene, torus::camera);
   print_pools();
-  return whole && half ? 0 : 1;
+  return good ? 0 : 1;
 }
