@@ -144,12 +144,12 @@ TEST(Facet, BacksAreCulledUnlessTwoSided) {
   oracle::SceneStore one_sided = scene_of({kSquare, back}, InstanceRecord::kNone);
   Reading reading(one_sided, at_distance(4));
   EXPECT_FALSE(reading.select(0).extent().empty());
-  EXPECT_TRUE(reading.select(0).extent().front);
+  EXPECT_TRUE(reading.select(0).extent().front());
   EXPECT_TRUE(reading.select(1).extent().empty());
   oracle::SceneStore two_sided = scene_of({kSquare, back}, InstanceRecord::kTwoSided);
   Reading both(two_sided, at_distance(4));
   EXPECT_FALSE(both.select(1).extent().empty());
-  EXPECT_FALSE(both.select(1).extent().front);
+  EXPECT_FALSE(both.select(1).extent().front());
 }
 
 TEST(Facet, AMirrorKeepsItsFronts) {

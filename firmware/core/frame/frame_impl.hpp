@@ -152,7 +152,7 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const MeshRecord& mesh = reader_.mesh();
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
-  const bool flip = two_sided && !reader_.extent().front;
+  const bool flip = two_sided && !reader_.extent().front();
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours()) {
     const LightRig& rig = lights();
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };

@@ -22,14 +22,14 @@ class ExtentSink {
     if (any_) add_edge(previous_, first_);
   }
 
-  FacetExtent extent(bool mirrored) const {
+  FacetExtent extent() const {
     FacetExtent e;
     if (low_.x > high_.x) return e;
     e.first_line = first_centre(low_.y);
     e.end_line = first_centre(high_.y);
     e.left = first_centre(low_.x);
     e.right = first_centre(high_.x);
-    e.front = mirrored ? area_ > 0 : area_ < 0;  // y points down, so fronts run clockwise here
+    e.area = area_;
     return e;
   }
 
@@ -126,16 +126,17 @@ void FacetReader::locate(std::uint16_t mesh_face) {
   if (group.contour_count > 1) face_.contours = {mesh().contours.data() + group.first_contour, group.contour_count};
   face_.mesh_face = mesh_face;
   face_.material = instance().material == InstanceRecord::kOwnMaterials ? group.material : instance().material;
+  note_outcodes();
 }
 
-FacetReader::Outcodes FacetReader::outcodes() const {
-  Outcodes codes{0, 0xff};
+void FacetReader::note_outcodes() {
+  face_.outside_any = 0;
+  face_.outside_all = 0xff;
   for (const std::uint16_t corner : face_.corners) {
     const auto code = static_cast<std::uint8_t>(point(corner).outcode);
-    codes.any |= code;
-    codes.all &= code;
+    face_.outside_any |= code;
+    face_.outside_all &= code;
   }
-  return codes;
 }
 
 FacetVertex FacetReader::project_clipped(const ClipVertex& v) const {
@@ -151,12 +152,32 @@ FacetVertex FacetReader::project_clipped(const ClipVertex& v) const {
 }
 
 FacetExtent FacetReader::extent() {
-  if ((instance().flags & InstanceRecord::kHidden) != 0) return {};
-  ExtentSink sink;
-  read([](std::uint16_t) { return Rgb8{}; }, sink);
-  FacetExtent e = sink.extent(!on_screen() && matrix_.mirrored);
-  const bool culled = !on_screen() && (instance().flags & InstanceRecord::kTwoSided) == 0 && !e.front;
-  return culled ? FacetExtent{} : e;
+  if ((instance().flags & InstanceRecord::kHidden) != 0 || face_.outside_all != 0) return {};
+  const bool culls = !on_screen() && (instance().flags & InstanceRecord::kTwoSided) == 0;
+  FacetExtent e;
+  if (face_.corners.size() == 3 && !clipped()) {
+    e = triangle_extent();
+  } else {
+    ExtentSink sink;
+    read([](std::uint16_t) { return Rgb8{}; }, sink);
+    e = sink.extent();
+  }
+  if (!on_screen() && matrix_.mirrored) e.area = -e.area;
+  return culls && !e.front() ? FacetExtent{} : e;
+}
+
+// What ExtentSink would find.
+FacetExtent FacetReader::triangle_extent() const {
+  const ScreenXY a = point(face_.corners[0]).at, b = point(face_.corners[1]).at, c = point(face_.corners[2]).at;
+  FacetExtent e;
+  e.area = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
+  const auto low = [](std::int32_t p, std::int32_t q) { return p < q ? p : q; };
+  const auto high = [](std::int32_t p, std::int32_t q) { return p < q ? q : p; };
+  e.first_line = first_centre(low(low(a.y, b.y), c.y));
+  e.end_line = first_centre(high(high(a.y, b.y), c.y));
+  e.left = first_centre(low(low(a.x, b.x), c.x));
+  e.right = first_centre(high(high(a.x, b.x), c.x));
+  return e;
 }
 
 }  // namespace spanline

@@ -24,15 +24,18 @@ struct FaceRef {
   Slice<const std::uint16_t> contours;  // ring lengths; empty: one ring
   std::uint16_t mesh_face = 0;
   std::uint16_t material = 0;
+  std::uint8_t outside_any = 0;     // planes (Outcode) that some corner lies outside of
+  std::uint8_t outside_all = 0xff;  // planes that all of them do
 };
 
 // What the first look at a facet yields.
 struct FacetExtent {
-  std::int32_t first_line = 0;  // of the screen, not clipped to it
-  std::int32_t end_line = 0;    // one past the last
-  std::int32_t left = 0;        // first column that can be covered
-  std::int32_t right = 0;       // one past the last
-  bool front = true;            // counter-clockwise in the world
+  std::int32_t first_line = 0;             // of the screen, not clipped to it
+  std::int32_t end_line = 0;               // one past the last
+  std::int32_t left = 0;                   // first column that can be covered
+  std::int32_t right = 0;                  // one past the last
+  std::int64_t area = 0;                   // doubled, signed, 28.4 squared; y points down, so fronts have it negative
+  bool front() const { return area < 0; }  // counter-clockwise in the world
   bool empty() const { return first_line >= end_line || left >= right; }
 };
 
@@ -55,7 +58,7 @@ class FacetReader {
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
 
   // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
-  bool clipped() const { return outcodes().any != 0; }
+  bool clipped() const { return face_.outside_any != 0; }
 
   // Extent and facing of the current face after clipping; an empty extent where nothing of it can be seen.
   FacetExtent extent();
@@ -66,10 +69,8 @@ class FacetReader {
   void read(const Colour& colour, Sink& sink);
 
  private:
-  struct Outcodes {
-    std::uint8_t any, all;
-  };
-  Outcodes outcodes() const;
+  void note_outcodes();
+  FacetExtent triangle_extent() const;
   FacetVertex project_clipped(const ClipVertex& v) const;
   template <typename Colour, typename Sink>
   [[gnu::noinline]]  // keeps the clipper's 500 bytes off the stack of the common path
@@ -101,21 +102,20 @@ class FacetReader {
 
 template <typename Colour, typename Sink>
 void FacetReader::read(const Colour& colour, Sink& sink) {
-  const Outcodes codes = outcodes();
-  if (codes.all != 0) return;  // wholly outside one plane
+  if (face_.outside_all != 0) return;
   const std::uint32_t rings = face_.contours.empty() ? 1 : face_.contours.size();
   std::uint32_t next = 0;
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
     const std::uint32_t end = face_.contours.empty() ? face_.corners.size() : next + face_.contours[ring];
     sink.begin_contour();
-    if (codes.any == 0) {
+    if (face_.outside_any == 0) {
       for (; next < end; ++next) {
         const std::uint16_t corner = face_.corners[next];
         const ScreenPoint p = point(corner);
         sink.vertex(FacetVertex{p.at, p.depth, colour(corner)});
       }
     } else {
-      read_clipped(next, end, codes.any, colour, sink);
+      read_clipped(next, end, face_.outside_any, colour, sink);
       next = end;
     }
     sink.end_contour();

@@ -13,6 +13,10 @@ void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std
   auto* at = reinterpret_cast<Half*>(line) + left;
   auto* const end = reinterpret_cast<Half*>(line) + right;
   if ((left & 1u) != 0) *at++ = pixel;
+  for (; end - at >= 16; at += 16) {
+    auto* const word = reinterpret_cast<Word*>(at);
+    word[0] = word[1] = word[2] = word[3] = word[4] = word[5] = word[6] = word[7] = pair;
+  }
   for (; end - at >= 2; at += 2) *reinterpret_cast<Word*>(at) = pair;
   if (at != end) *at = pixel;
 }

@@ -49,9 +49,11 @@ class VisibleSegments {
   // Whether there is room for colours along edges; if not, FacetLook::gouraud is not to be set.
   bool has_colours() const { return store_.has_shades(); }
 
-  // Before the first facet of a line is put in.
+  // Before the first facet of `line` is put in: blocks of what has ended come back, edges that waited for the line
+  // enter. In this order no pool ever holds more than the line needs.
   void begin_line(std::int32_t line) {
     polygons_.filter_changing([&](std::uint16_t polygon) { return !eliminator_.release(polygon, edges_, line); });
+    enter_waiting(line);
   }
 
   // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as
@@ -59,9 +61,9 @@ class VisibleSegments {
   template <typename Colour>
   Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour);
 
-  // Generates `line`, the one after the last: sink.span(const VisibleSpan&), left to right. May still leave facets out.
+  // Generates `line`, the one after the last: sink.span(const VisibleSpan&), left to right.
   template <typename Sink>
-  Room run(std::uint16_t line, Sink& sink);
+  void run(std::uint16_t line, Sink& sink);
 
   // Of the last left_out or unclosed.
   const Status& status() const { return status_; }
@@ -81,7 +83,7 @@ class VisibleSegments {
   struct EdgeSink;
 
   Room enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line);
-  Room enter_waiting(std::int32_t line);
+  void enter_waiting(std::int32_t line);
   bool make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line);
   void note_pools();
 
@@ -222,27 +224,23 @@ bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capaci
 }
 
 template <VsgOptions kOptions>
-Room VisibleSegments<kOptions>::enter_waiting(std::int32_t line) {
-  Room room = Room::enough;
+void VisibleSegments<kOptions>::enter_waiting(std::int32_t line) {
   while (const std::uint16_t index = edges_.pop(line)) {
     const EdgeBlock block = edges_[index];
     edges_.give(index);
-    const bool gouraud = store_.has_shades();
-    const PlacedEdge edge{start_edge(block.edge, line, true), gouraud ? shade_edge(block.edge) : EdgeShade{}};
+    const PlacedEdge edge{start_edge(block.edge, line, true), has_colours() ? shade_edge(block.edge) : EdgeShade{}};
     for (const std::uint16_t polygon : block.polygons) {
       // Making room for the first may have dropped the second: its block then names no face.
       if (polygon == 0 || polygons_[polygon].face == kNoFace) continue;
       --polygons_[polygon].waiting;
-      if (enter(polygon, edge, line) == Room::left_out) room = Room::left_out;
+      enter(polygon, edge, line);
     }
   }
-  return room;
 }
 
 template <VsgOptions kOptions>
 template <typename Sink>
-Room VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
-  Room room = enter_waiting(line);
+void VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
   if constexpr (kOptions.statistics) note_pools();
   while (const std::uint16_t polygon = polygons_.pop_changing()) {
     const std::uint16_t face = polygons_[polygon].face;
@@ -252,10 +250,8 @@ Room VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
   if (sorter_.left_out() != 0) {
     const std::uint32_t capacity = active_capacity_;
     status_ = {Code::pool_exhausted, "active", "", 0, line, capacity + sorter_.left_out(), capacity};
-    room = Room::left_out;
   }
   x_sort_.begin_line();
-  return room;
 }
 
 template <VsgOptions kOptions>
