@@ -136,11 +136,11 @@ which the seed cuts off after two decimals.
 )";
 
 constexpr const char* kObjectsText = R"(
-**Not the same objects.** The seed prints pictures, no coordinates. The shapes in `assets/watkins` are guesses, tuned so that N
-and output segments come within 3.5 % of the seed's; blocks and references were not tuned. Polygons and edges count the whole
-object (`NAME.all.obj`); what is rendered, and measured in every other row, are its facing polygons (`NAME.obj`). Implied edges
-come out above the seed's where planes intersect: one counts whenever it is made, and one that is lost from sight on a line is
-freed and made again when it comes back. Our Cube2 is not crowded; the seed's has its visible edges in the upper right corner, where many segments lie
+**Not the same objects.** The seed prints pictures, no coordinates. The shapes in `assets/watkins` are guesses, tuned so that N,
+output segments and implied edges come close to the seed's; blocks and references were not tuned. Polygons and edges count the whole
+object (`NAME.all.obj`); what is rendered, and measured in every other row, are its facing polygons (`NAME.obj`). An
+implied edge counts when it is made; one that is hidden for more than four lines is freed, and made again when it comes back.
+Our Cube2 is not crowded; the seed's has its visible edges in the upper right corner, where many segments lie
 over one pixel. So the seed's M, blocks and FIFO for Cube2 do not compare with ours, nor does its "over ten times the number of
 memory references" of Cube1. Cube2's references over Cube1's, ours: )";
 
