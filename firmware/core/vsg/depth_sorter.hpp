@@ -11,6 +11,7 @@
 #include "core/vsg/sample_space.hpp"
 #include "core/vsg/statistics.hpp"
 #include "core/vsg/visible_span.hpp"
+#include "core/vsg/x_sort.hpp"
 
 namespace spanline {
 
@@ -56,6 +57,7 @@ class DepthSorter {
     pending_ = {};
     pending_left_ = 0;
     p_.samples->begin_line(p_.screen.width);
+    p_.x_sort->start();
     std::int32_t left = 0;
     while (left < p_.screen.width) {
       const std::int32_t right = settle(left, p_.samples->right_of(left), sink);
@@ -63,8 +65,8 @@ class DepthSorter {
       left = right;
     }
     flush(left, sink);
-    std::int32_t key;
-    while (p_.x_sort->peek(key)) take();
+    active_count_ = 0;
+    while (p_.x_sort->key() != kNoKey) take(p_.active[0]);
     p_.implied->sweep(line);
   }
 
@@ -105,21 +107,22 @@ class DepthSorter {
       if constexpr (kOptions.statistics) ++counters_.active_references;
       consider(p_.active[static_cast<std::size_t>(i)], left, right, box);
     }
-    std::int32_t key;
-    while (p_.x_sort->peek(key) && key < right) {
+    for (std::int32_t key = p_.x_sort->key(); key < right; key = p_.x_sort->key()) {
       if (key > left && box.count > 1) break;  // what begins further on cannot cover the span any more
       if (active_count_ == p_.active.capacity()) {
-        if (key <= left) {
-          leave_one_out(take());
-        } else {
+        if (key > left) {
           right = key;
+        } else {
+          ActiveSegment fresh;
+          take(fresh);
+          leave_one_out(fresh);
         }
         return false;
       }
-      const ActiveSegment entry = take();
-      if (entry.left >= entry.right) continue;
-      ActiveSegment& slot = p_.active[static_cast<std::size_t>(active_count_++)];
-      slot = entry;
+      ActiveSegment& slot = p_.active[static_cast<std::size_t>(active_count_)];
+      take(slot);
+      if (slot.left >= slot.right) continue;
+      ++active_count_;
       consider(slot, left, right, box);
     }
     return true;
@@ -138,17 +141,17 @@ class DepthSorter {
     if (face(fresh) < face(*last)) *last = fresh;
   }
 
-  // Takes the next block off the X-sort list: notes where it lies on this line, steps it to the next and files it
-  // there.
-  ActiveSegment take() {
+  // Takes the next block off the X-sort list: notes in `entry` where it lies on this line, steps it to the next and
+  // files it there.
+  void take(ActiveSegment& entry) {
     const std::uint16_t index = p_.x_sort->pop();
     SegmentBlock& block = p_.store->held(index);
-    ActiveSegment entry;
     entry.segment = index;
     entry.polygon = block.polygon;
     entry.left = static_cast<std::uint16_t>(on_screen(block.half[0].column)) & 0x7fffu;
     entry.fresh = 1;
     entry.right = static_cast<std::uint16_t>(on_screen(block.half[1].column)) & 0x7fffu;
+    entry.has_ramp = 0;
     if constexpr (kOptions.statistics) counters_.edge_crossings += 2;
     block.half[0].step();
     block.half[1].step();
@@ -165,7 +168,7 @@ class DepthSorter {
       if constexpr (kOptions.statistics) ++(at_end ? counters_.appended : counters_.searched_back);
     }
     p_.store->store(index);
-    return entry;
+    p_.x_sort->next();
   }
 
   std::int32_t on_screen(std::int32_t column) const {

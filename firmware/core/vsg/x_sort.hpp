@@ -10,33 +10,27 @@
 
 namespace spanline {
 
-// A singly walked, sorted chain of blocks whose front block is held in a register once looked at.
+inline constexpr std::int32_t kNoKey = INT32_MAX;  // of an empty list: no segment begins there
+
+// A singly walked, sorted chain of blocks whose front block is held in a register.
 template <bool kCount>
 class FrontRegister {
  public:
-  void set(std::uint16_t front) {
-    front_ = front;
-    loaded_ = false;
-  }
+  // Walking begins with load(); until then the chain may change.
+  void set(std::uint16_t front) { front_ = front; }
+  void load(SegmentStore<kCount>& store) { key_ = front_ == 0 ? kNoKey : store.fetch(front_).left(); }
   std::uint16_t front() const { return front_; }
-  bool peek(SegmentStore<kCount>& store, std::int32_t& key) {
-    if (front_ == 0) return false;
-    if (!loaded_) {
-      store.fetch(front_);
-      loaded_ = true;
-    }
-    key = store.held(front_).left();
-    return true;
-  }
+  std::int32_t key() const { return key_; }
+  // Takes the front block. The next one is not loaded yet.
   std::uint16_t pop(SegmentStore<kCount>& store) {
     const std::uint16_t index = front_;
-    set(store.held(index).next);
+    front_ = store.held(index).next;
     return index;
   }
 
  private:
   std::uint16_t front_ = 0;
-  bool loaded_ = false;
+  std::int32_t key_ = kNoKey;
 };
 
 // VSG6: a doubly linked list.
@@ -86,17 +80,20 @@ class XSortList {
     block.flags &= SegmentBlock::kMoved;
   }
 
-  // The left column of the next block in order; false at the end.
-  bool peek(std::int32_t& key) {
-    const bool any = current_.peek(*store_, key);
-    std::int32_t entering = 0;
-    take_entering_ =
-        entering_.peek(*store_, entering) && (!any || entering < key || (entering == key && enters_first()));
-    if (take_entering_) key = entering;
-    return any || take_entering_;
+  // Before the line is taken from.
+  void start() {
+    current_.load(*store_);
+    entering_.load(*store_);
   }
-  // Takes what peek() saw; the fetch is counted there.
-  std::uint16_t pop() { return take_entering_ ? entering_.pop(*store_) : current_.pop(*store_); }
+  // The left column of the next block in order; kNoKey at the end.
+  std::int32_t key() const { return current_.key() < entering_.key() ? current_.key() : entering_.key(); }
+  // Takes that block.
+  std::uint16_t pop() {
+    popped_entering_ = entering_.key() < current_.key() || (entering_.key() == current_.key() && enters_first());
+    return popped_entering_ ? entering_.pop(*store_) : current_.pop(*store_);
+  }
+  // Loads what follows the block that was taken, when that block has been dealt with.
+  void next() { (popped_entering_ ? entering_ : current_).load(*store_); }
 
   // Files a block, stepped to the next line, into that line's list. Returns true where it went to the end.
   //
@@ -175,7 +172,7 @@ class XSortList {
   SegmentStore<kCount>* store_ = nullptr;
   FrontRegister<kCount> current_, entering_;
   std::uint16_t next_front_ = 0, next_last_ = 0, kept_back_ = 0;
-  bool take_entering_ = false;
+  bool popped_entering_ = false;
 };
 
 // VSG5: a bucket for every column, this line's and the next line's (Romney). Kept for the measured comparison; the
@@ -216,15 +213,15 @@ class XSortBuckets {
       }
     }
   }
-  bool peek(std::int32_t& key) {
-    while (at_ < kColumns && buckets_->front[now_][at_] == 0) ++at_;
-    key = at_;
-    return at_ < kColumns;
-  }
+  void start() { next(); }
+  std::int32_t key() const { return at_ < kColumns ? at_ : kNoKey; }
   std::uint16_t pop() {
     const std::uint16_t index = buckets_->front[now_][at_];
     buckets_->front[now_][at_] = store_->fetch(index).next;
     return index;
+  }
+  void next() {
+    while (at_ < kColumns && buckets_->front[now_][at_] == 0) ++at_;
   }
   bool append(std::uint16_t index) {
     push(buckets_->front[now_ ^ 1], index);
