@@ -31,8 +31,23 @@ std::int32_t on_line(const EdgeShade& edge, int channel, std::uint16_t line) {
   return edge.color[channel] + edge.step[channel] * down;
 }
 
-std::uint32_t channel(std::int32_t q16) {
-  return q16 < 0 ? 0u : q16 > 0xffffff ? 255u : static_cast<std::uint32_t>(q16) >> 16;
+// A colour channel along a segment, Q8.16. Its step is cut off towards zero, so it stays between the values at the
+// segment's ends, which are colours: no clamping.
+struct Ramp {
+  std::uint32_t value, step;
+
+  // from and to: Q8.7 at the segment's first column and one past its last; `skipped` columns of it are not shown.
+  Ramp(std::int32_t from, std::int32_t to, std::int32_t width, std::int32_t skipped) {
+    const std::int32_t slope = (to - from) * 512 / width;
+    value = static_cast<std::uint32_t>(from * 512 + slope * skipped);
+    step = static_cast<std::uint32_t>(slope);
+  }
+};
+
+// Where a segment lies on the line just made.
+std::int32_t first_column(const SegmentBlock& segment) { return segment.half[0].stepped_back().column; }
+std::int32_t width_of(const SegmentBlock& segment) {
+  return segment.half[1].stepped_back().column - first_column(segment);
 }
 
 }  // namespace
@@ -82,25 +97,36 @@ void Painter::put_grey(std::uint32_t x, std::uint32_t grey) {
 }
 
 void Painter::gouraud(const VisibleSpan& span) {
-  const EdgeShade& from = span.shade->half[0];
-  const EdgeShade& to = span.shade->half[1];
-  const std::int32_t left = span.segment->half[0].stepped_back().column;
-  const std::int32_t width = span.segment->half[1].stepped_back().column - left;
-  Ramp ramp[3];
+  std::int32_t from[3], to[3];
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t start = on_line(from, i, line_);
-    const std::int32_t step = ((on_line(to, i, line_) - start) * 512) / width;
-    ramp[i] = {start * 512 + step * (span.left - left), step};
+    from[i] = on_line(span.shade->half[0], i, line_);
+    to[i] = on_line(span.shade->half[1], i, line_);
   }
+  if (screen_.format == PixelFormat::rgb565) return gouraud_rgb565(span, from, to);
+  gouraud_grey(span, from, to);
+}
+
+void Painter::gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]) {
+  const std::int32_t width = width_of(*span.segment), skipped = span.left - first_column(*span.segment);
+  Ramp r(from[0], to[0], width, skipped), g(from[1], to[1], width, skipped), b(from[2], to[2], width, skipped);
+  auto* at = reinterpret_cast<Half*>(out_) + span.left;
+  auto* const end = reinterpret_cast<Half*>(out_) + span.right;
+  while (at != end) {
+    // rgb565_wire() of the integer parts, without taking them out first.
+    const std::uint32_t first = ((r.value >> 16) & 0xf8u) | g.value >> 21;
+    *at++ = static_cast<std::uint16_t>(first | ((g.value >> 5) & 0xe000u) | ((b.value >> 11) & 0x1f00u));
+    r.value += r.step;
+    g.value += g.step;
+    b.value += b.step;
+  }
+}
+
+void Painter::gouraud_grey(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]) {
+  const auto grey = [](const std::int32_t(&c)[3]) { return (77 * c[0] + 150 * c[1] + 29 * c[2] + 128) >> 8; };
+  Ramp ramp(grey(from), grey(to), width_of(*span.segment), span.left - first_column(*span.segment));
   for (std::uint32_t x = span.left; x < span.right; ++x) {
-    const std::uint32_t r = channel(ramp[0].value), g = channel(ramp[1].value), b = channel(ramp[2].value);
-    if (screen_.format == PixelFormat::rgb565) {
-      reinterpret_cast<Half*>(out_)[x] = rgb565_wire(r, g, b);
-    } else {
-      put_grey(x,
-               luminance({static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(b)}));
-    }
-    for (Ramp& c : ramp) c.value += c.step;
+    put_grey(x, ramp.value >> 16);
+    ramp.value += ramp.step;
   }
 }
 

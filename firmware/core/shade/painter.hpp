@@ -22,12 +22,10 @@ class Painter {
   void span(const VisibleSpan& span);
 
  private:
-  // A colour channel along a line, Q8.16 in 32 bits.
-  struct Ramp {
-    std::int32_t value, step;
-  };
   void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
   void gouraud(const VisibleSpan& span);
+  void gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
+  void gouraud_grey(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
   void put_grey(std::uint32_t x, std::uint32_t grey);
 
   Screen screen_;

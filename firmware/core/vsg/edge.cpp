@@ -79,8 +79,9 @@ EdgeShade shade_edge(const ScreenEdge& edge) {
   EdgeShade shade;
   for (int i = 0; i < 3; ++i) {
     const std::int32_t rise = bottom[i] - top[i];
-    shade.color[i] = static_cast<std::int16_t>(top[i] * 128 + ((rise * start) >> 8));
-    shade.step[i] = static_cast<std::int16_t>((rise * line) >> 8);
+    // Cut off towards zero, so that no line of the edge leaves the range of its two ends.
+    shade.color[i] = static_cast<std::int16_t>(top[i] * 128 + rise * start / 256);
+    shade.step[i] = static_cast<std::int16_t>(rise * line / 256);
   }
   shade.first_line_from_top = static_cast<std::uint16_t>(first + 2048);
   return shade;
