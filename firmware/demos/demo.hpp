@@ -72,21 +72,7 @@ constexpr Budget budget_for(const Demo& demo, const Screen& screen) {
   return budget;
 }
 
-// The same where memory is dear (a microcontroller of 16 KB): nothing kept that can be computed again. It costs time and no
-// pixel.
-constexpr Budget tight(Budget budget) {
-  const auto at_least = [](unsigned least, unsigned blocks) {
-    return static_cast<std::uint16_t>(blocks > least ? blocks : least);
-  };
-  budget.facets = at_least(budget.polygons, budget.facets / 4u);
-  budget.vertices = static_cast<std::uint16_t>(budget.vertices / 8);
-  budget.edges = at_least(16, budget.edges / 4u);
-  budget.active = 16;
-  budget.implied = 2;
-  return budget;
-}
-
-// A demo on the stage: the records that move. About 700 bytes.
+// A demo on the stage: the records that move. About 850 bytes.
 class Stage {
  public:
   Stage() = default;

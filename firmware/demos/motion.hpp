@@ -15,8 +15,9 @@ constexpr Turn16 part_of_turn(std::uint64_t frame, std::uint32_t turns, std::uin
   return {static_cast<std::uint16_t>(frame % frames * turns * 65536u / frames)};
 }
 
-// Turns an instance about an axis of the world's direction through the origin of its mesh's own coordinates, counter-clockwise
-// seen from the axis' tip. `origins`: of these coordinates, for each mesh of the scene (Shot::origins).
+// Turns an instance about an axis of the world's direction through the origin of its mesh's own coordinates,
+// counter-clockwise seen from the axis' tip. `origins`: of these coordinates, for each mesh of the scene
+// (Shot::origins).
 void spin(InstanceRecord& instance, const Fx16 (*origins)[3], Axis axis, Turn16 angle);
 
 // `amplitude` * sine(phase), rounded to nearest.

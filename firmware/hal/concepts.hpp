@@ -50,6 +50,13 @@ concept SpiModes = SpiBus<T> && requires(T bus, std::uint8_t mode) {
   { bus.set_mode(mode) } -> std::same_as<void>;
 };
 
+// A bus whose receive line is wired: read() clocks as many bytes out as `answer` holds and keeps what comes in. Only
+// with it can a panel be found absent.
+template <typename T>
+concept SpiReads = SpiBus<T> && requires(T bus, Slice<std::uint8_t> answer) {
+  { bus.read(answer) } -> std::same_as<Fault>;
+};
+
 enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
 
 // A rectangle of pixels, right and bottom exclusive, in the panel's rotated coordinates.

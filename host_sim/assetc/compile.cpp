@@ -3,6 +3,7 @@
 #include "assetc/extent.hpp"
 #include "assetc/fixed_point.hpp"
 #include "assetc/input_error.hpp"
+#include "assetc/merge.hpp"
 
 namespace spanline::host {
 namespace {
@@ -160,6 +161,13 @@ void CompiledScene::look(const View& view) {
   lights_.clear();
   const std::vector<LightSpec> standard = {{default_light(axes_of(view))}};
   for (const LightSpec& light : scene_.lights.value_or(standard)) lights_.push_back(light_record(light));
+}
+
+void CompiledScene::merge_coplanar(std::uint32_t most_corners) {
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    meshes_[i] = host::merge_coplanar(meshes_[i], scene_.meshes[i].place, most_corners);
+    mesh_records_[i] = meshes_[i].record();
+  }
 }
 
 SceneRecord CompiledScene::record() const {

@@ -56,6 +56,9 @@ class CompiledScene {
   // Looks from elsewhere (the world scale was chosen for eyes within the `reach` given to compile()).
   void look(const View& view);
 
+  // Makes larger faces of coplanar neighbours (merge.hpp). Faces are numbered anew, the picture stays.
+  void merge_coplanar(std::uint32_t most_corners);
+
   SceneRecord record() const;
   const CameraRecord& camera() const { return camera_; }
   const View& view() const { return view_; }

@@ -1,5 +1,6 @@
 #include "assetc/emit_cpp.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <sstream>
@@ -182,28 +183,38 @@ std::string emit_source(const CompiledScene& scene, const std::string& name, con
   return out.str();
 }
 
-std::string emit_report(const CompiledScene& scene) {
-  std::size_t positions = 0, normals = 0, indices = 0, groups = 0, faces = 0;
+TableSizes table_sizes(const CompiledScene& scene) {
+  TableSizes sizes;
   for (const MeshTables& mesh : scene.meshes()) {
-    faces += mesh.face_count;
-    positions += mesh.positions.size() * sizeof(Position);
-    normals += (mesh.vertex_normals.size() + mesh.face_normals.size()) * sizeof(Normal10);
-    indices += (mesh.corners.size() + mesh.contours.size()) * sizeof(std::uint16_t);
-    groups += mesh.groups.size() * sizeof(FaceGroup);
+    sizes.faces += mesh.face_count;
+    sizes.corners += mesh.corners.size();
+    for (const FaceGroup& group : mesh.groups) {
+      sizes.most_corners = std::max(sizes.most_corners, std::size_t{group.corners_per_face});
+    }
+    sizes.positions += mesh.positions.size() * sizeof(Position);
+    sizes.normals += (mesh.vertex_normals.size() + mesh.face_normals.size()) * sizeof(Normal10);
+    sizes.indices += (mesh.corners.size() + mesh.contours.size()) * sizeof(std::uint16_t);
+    sizes.groups += mesh.groups.size() * sizeof(FaceGroup);
   }
   constexpr std::size_t kMeshBytes = 4 + 6 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
-  const std::size_t records = scene.meshes().size() * kMeshBytes + scene.instances().size() * sizeof(InstanceRecord) +
-                              scene.materials().size() * sizeof(MaterialRecord) +
-                              scene.lights().size() * sizeof(LightRecord);
+  sizes.records = scene.meshes().size() * kMeshBytes + scene.instances().size() * sizeof(InstanceRecord) +
+                  scene.materials().size() * sizeof(MaterialRecord) + scene.lights().size() * sizeof(LightRecord);
+  return sizes;
+}
+
+std::string emit_report(const CompiledScene& scene, const TableSizes& before) {
+  const TableSizes sizes = table_sizes(scene);
   std::ostringstream out;
+  out << "meshes     " << scene.meshes().size() << "\n"
+      << "faces      " << sizes.faces << " of " << sizes.corners << " corners, at most " << sizes.most_corners
+      << " in one; before merging " << before.faces << " of " << before.corners << "\n";
   const auto row = [&](const char* what, std::size_t bytes) { out << what << bytes << " bytes\n"; };
-  out << "meshes     " << scene.meshes().size() << ", " << faces << " faces\n";
-  row("positions  ", positions);
-  row("normals    ", normals);
-  row("indices    ", indices);
-  row("groups     ", groups);
-  row("records    ", records);
-  row("total      ", positions + normals + indices + groups + records);
+  row("positions  ", sizes.positions);
+  row("normals    ", sizes.normals);
+  row("indices    ", sizes.indices);
+  row("groups     ", sizes.groups);
+  row("records    ", sizes.records);
+  out << "total      " << sizes.total() << " bytes; before merging " << before.total() << "\n";
   out << "one unit of the scene is " << scene.fit().scale << " world units about (" << scene.fit().centre.x << ", "
       << scene.fit().centre.y << ", " << scene.fit().centre.z << ")\n";
   return out.str();

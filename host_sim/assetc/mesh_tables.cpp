@@ -3,6 +3,7 @@
 
 #include "assetc/compile.hpp"
 #include "assetc/extent.hpp"
+#include "assetc/face_table.hpp"
 #include "assetc/fixed_point.hpp"
 #include "assetc/input_error.hpp"
 #include "assetc/polygon.hpp"
@@ -90,34 +91,13 @@ void add_normals(const MeshSource& mesh, const VertexTable& vertices, bool smoot
   }
 }
 
-// Where the ring lengths of `face` stand in tables.contours; a repetition of the last ones is shared.
-std::uint16_t add_rings(const MeshSource& mesh, const MeshFace& face, MeshTables& tables) {
-  const auto first = mesh.rings.begin() + face.first_ring;
-  std::vector<std::uint16_t>& all = tables.contours;
-  const auto count = static_cast<std::ptrdiff_t>(face.ring_count);
-  const bool repeats = std::ssize(all) >= count && std::equal(all.end() - count, all.end(), first);
-  if (!repeats) all.insert(all.end(), first, first + count);
-  const std::size_t at = all.size() - face.ring_count;
-  if (all.size() > 65535) throw InputError(mesh.place, "has more than 65535 rings");
-  return static_cast<std::uint16_t>(at);
-}
-
-bool continues(const FaceGroup& group, const MeshFace& face, std::uint16_t first_ring, std::uint16_t material) {
-  return group.corners_per_face == face.corner_count && group.contour_count == face.ring_count &&
-         (face.ring_count == 1 || group.first_contour == first_ring) && group.material == material;
-}
-
-void add_groups(const MeshSource& mesh, std::uint16_t default_material, MeshTables& tables) {
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const MeshFace& face = mesh.faces[i];
-    const std::uint16_t first_ring = face.ring_count > 1 ? add_rings(mesh, face, tables) : std::uint16_t{0};
-    const auto material = face.material == kNone ? default_material : static_cast<std::uint16_t>(face.material);
-    if (tables.groups.empty() || !continues(tables.groups.back(), face, first_ring, material)) {
-      tables.groups.push_back({face.first_corner, static_cast<std::uint16_t>(i), 0,
-                               static_cast<std::uint16_t>(face.corner_count), first_ring,
-                               static_cast<std::uint16_t>(face.ring_count), material});
-    }
-    ++tables.groups.back().face_count;
+void add_faces(const MeshSource& mesh, std::uint16_t default_material, MeshTables& tables) {
+  for (const MeshFace& face : mesh.faces) {
+    TableFace entry{face.first_corner, face.corner_count, {}, default_material};
+    const auto rings = mesh.rings.begin() + face.first_ring;
+    if (face.ring_count > 1) entry.rings.assign(rings, rings + face.ring_count);
+    if (face.material != kNone) entry.material = static_cast<std::uint16_t>(face.material);
+    append_face(tables, entry, mesh.place);
   }
 }
 
@@ -145,7 +125,6 @@ MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>&
                         bool smooth, bool on_screen) {
   MeshTables tables;
   tables.name = mesh.name;
-  tables.face_count = static_cast<std::uint16_t>(mesh.faces.size());
   VertexTable vertices(smooth);
   add_corners(mesh, vertices, tables);
   if (on_screen) {
@@ -159,7 +138,7 @@ MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>&
     }
     add_normals(mesh, vertices, smooth, tables);
   }
-  add_groups(mesh, static_cast<std::uint16_t>(materials.size() - 1), tables);
+  add_faces(mesh, static_cast<std::uint16_t>(materials.size() - 1), tables);
   return tables;
 }
 

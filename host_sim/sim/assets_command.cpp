@@ -5,21 +5,41 @@
 
 #include "assetc/compile.hpp"
 #include "assetc/emit_cpp.hpp"
+#include "assetc/merge.hpp"
+#include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
 #include "sim/status_text.hpp"
 
 namespace spanline::host {
+namespace {
+
+constexpr const char* kFooter =
+    "Coplanar neighbours of one material become one face where outlines and colours stay the same; where something "
+    "pierces such a face, the line may move by less than a pixel. That numbers the faces anew; `spanline render` never "
+    "merges, so its --ids are those of the scene as it is written.";
+
+}  // namespace
 
 AssetsCommand::AssetsCommand(CLI::App& app)
     : verb_(app.add_subcommand("assets", "compile a scene to constexpr C++ tables for a firmware")) {
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the source file; its name, or the header's, is the namespace")->required();
   verb_->add_option("--header", header_, "the header with the declarations");
-  verb_->add_flag("--report", report_, "print what the tables occupy");
+  verb_->add_flag("--no-merge", no_merge_, "keep coplanar neighbours apart");
+  verb_->add_option("--merge-most", merge_most_, "corners of a merged face at most (default: 64)");
+  verb_->add_flag("--report", report_, "print what the tables occupy, and how many faces there were before merging");
+  verb_->footer(kFooter);
+}
+
+std::uint32_t AssetsCommand::merge_most() const {
+  if (!merge_most_) return kMostMergedCorners;
+  return static_cast<std::uint32_t>(parse_integer("--merge-most", *merge_most_, 3, 65535));
 }
 
 void AssetsCommand::run() const {
-  const CompiledScene scene = compile(scene_.load(false));
+  CompiledScene scene = compile(scene_.load(false));
+  const TableSizes before = table_sizes(scene);
+  if (!no_merge_) scene.merge_coplanar(merge_most());
   const SceneRecord record = scene.record();
   validated(record, scene.description().place);
   const std::string name = identifier_from(header_.value_or(out_));
@@ -27,7 +47,7 @@ void AssetsCommand::run() const {
   write_file(out_, emit_source(scene, name, included));
   if (header_) write_file(*header_, emit_header(scene, name));
   if (scene.moves()) std::cerr << "spanline: note: moving things stand as in frame 0\n";
-  if (report_) std::cout << emit_report(scene);
+  if (report_) std::cout << emit_report(scene, before);
 }
 
 }  // namespace spanline::host

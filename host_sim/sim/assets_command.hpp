@@ -18,11 +18,13 @@ class AssetsCommand {
   void run() const;
 
  private:
+  std::uint32_t merge_most() const;
+
   CLI::App* verb_;
   SceneOptions scene_;
   std::string out_;
-  std::optional<std::string> header_;
-  bool report_ = false;
+  std::optional<std::string> header_, merge_most_;
+  bool no_merge_ = false, report_ = false;
 };
 
 }  // namespace spanline::host

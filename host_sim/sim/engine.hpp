@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct EngineOptions {
   Comparator comparator = Comparator::plane;
   std::uint16_t bands = 1;  // at least that many equal ones
   PoolSizes pools;
-  bool observe = false;  // face and depth of every pixel, statistics
+  bool observe = false;                                              // face and depth of every pixel, statistics
+  std::function<void(Slice<const std::uint8_t> wire)> on_line = {};  // sees each line as it is finished
 };
 
 // One finished frame.

@@ -30,7 +30,9 @@ Picture picture_of_ids(const Rendering& rendering) {
 }
 
 constexpr const char* kFooter =
-    "At least one of --out, --ids, --depth, --stats and --expect is needed. With --frames, frame 7 of F.png goes to "
+    "At least one of --out, --ids, --depth, --stats, --expect and --spi-log is needed. With --frames, frame 7 of F.png "
+    "goes "
+    "to "
     "F-0007.png. Where a pool is too small for some line, the picture lacks the highest face numbers there, a warning "
     "names "
     "the pool and the line, and the exit code stays 0.";
@@ -54,13 +56,25 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
                     "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices");
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");
+  verb_->add_option(
+      "--panel", panel_,
+      "send the picture through this panel's driver and show what its controller makes of the bytes: "
+      "ili9341, st7789, st7789-240x240, st7789-135x240, gc9a01, ili9488, st7796, ssd0323, ssd1325, ssd1327, "
+      "ssd1306");
+  verb_->add_option("--rotation", rotation_, "of the panel, in quarter turns: 0 (default) to 3");
+  verb_->add_option(
+      "--spi-log", spi_log_,
+      "the bytes sent to the panel, two by two: 0 command, 1 data, 2 chip select, 3 reset, then the value");
   verb_->footer(kFooter);
 }
 
 void RenderCommand::check_outputs() const {
-  if (!out_ && !ids_ && !depth_ && !stats_ && !expect_) {
-    throw UsageError("nothing to do: give --out, --ids, --depth, --stats or --expect");
+  if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !spi_log_) {
+    throw UsageError("nothing to do: give --out, --ids, --depth, --stats, --expect or --spi-log");
   }
+  if (!panel_ && (rotation_ || spi_log_)) throw UsageError("--rotation and --spi-log need --panel");
+  if (panel_ && scene_.size_given()) throw UsageError("--size: the panel's size is the picture's");
+  if (panel_ && format_) throw UsageError("--format: the panel's pixels are the picture's");
   if (out_) check_picture_path(*out_);
   if (expect_ && !png_available()) throw UsageError("--expect: this build has no libpng to read PNG files");
   if (expect_ && frames_) throw UsageError("--expect compares one picture: choose it with --frame");
@@ -76,6 +90,24 @@ RenderCommand::Frames RenderCommand::frames() const {
     range.numbered = true;
   }
   return range;
+}
+
+// Null without --panel.
+std::unique_ptr<PanelOutput> RenderCommand::panel() const {
+  if (!panel_) return nullptr;
+  const std::int64_t rotation = rotation_ ? parse_integer("--rotation", *rotation_, 0, 3) : 0;
+  auto panel = std::make_unique<PanelOutput>(*panel_, static_cast<int>(rotation));
+  if (spi_log_) panel->keep_log();
+  return panel;
+}
+
+SceneDescription RenderCommand::description(const PanelOutput* panel) const {
+  SceneDescription scene = scene_.load(on_screen_);
+  if (panel != nullptr) {
+    scene.width = panel->width();
+    scene.height = panel->height();
+  }
+  return scene;
 }
 
 EngineOptions RenderCommand::engine_options(const SceneDescription& scene) const {
@@ -137,14 +169,20 @@ void RenderCommand::compare_with_expected(const Picture& picture) const {
 void RenderCommand::run() const {
   check_outputs();
   const Frames range = frames();
-  CompiledScene scene = compile(scene_.load(on_screen_));
-  const EngineOptions options = engine_options(scene.description());
+  const std::unique_ptr<PanelOutput> panel = this->panel();
+  CompiledScene scene = compile(description(panel.get()));
+  EngineOptions options = engine_options(scene.description());
+  if (panel) {
+    options.format = panel->format();
+    options.on_line = [&panel](Slice<const std::uint8_t> wire) { panel->line(wire); };
+  }
   const std::unique_ptr<Engine> engine = Engine::make(options);
   const SceneCounts counts = stats_ ? count_scene(scene.description()) : SceneCounts{};
   Progress progress("frame", range.last - range.first + 1);
   Rendering rendering;
   for (std::int64_t frame = range.first; frame <= range.last; ++frame) {
     scene.show(frame);
+    if (panel) panel->begin_frame();
     const SceneRecord record = scene.record();
     const Status status = engine->render(validated(record, scene.description().place), scene.camera(), rendering);
     if (!status.ok()) throw InputError(scene.description().place, status_text(status));
@@ -152,8 +190,13 @@ void RenderCommand::run() const {
       progress.warn(scene.description().place + ": frame " + std::to_string(frame) + ": " +
                     status_text(rendering.status));
     }
+    if (panel) rendering.picture = panel->finish_frame();
     write_outputs(rendering, counts, options.pools, range, frame);
     progress.step();
+  }
+  if (spi_log_) {
+    const std::vector<std::uint8_t>& log = panel->log();
+    write_file(*spi_log_, {reinterpret_cast<const char*>(log.data()), log.size()});
   }
   if (expect_) compare_with_expected(rendering.picture);
 }

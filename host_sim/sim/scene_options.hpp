@@ -18,6 +18,7 @@ class SceneOptions {
   SceneDescription load(bool on_screen) const;
 
   bool camera_given() const { return eye_ || target_ || up_ || fov_ || near_ || far_; }
+  bool size_given() const { return size_.has_value(); }
   bool light_given() const { return light_.has_value(); }
 
  private:

@@ -32,7 +32,10 @@ TEST(EmitCpp, KeepsToTheColumns) {
 
 TEST(EmitCpp, ReportAddsUp) {
   const CompiledScene scene = compile(describe_obj("good/cube.obj", MeshShading::flat));
-  EXPECT_NE(emit_report(scene).find("positions  48 bytes"), std::string::npos) << emit_report(scene);
+  const std::string report = emit_report(scene, table_sizes(scene));
+  EXPECT_NE(report.find("positions  48 bytes"), std::string::npos) << report;
+  EXPECT_NE(report.find("faces      6 of 24 corners, at most 4 in one; before merging 6 of 24"), std::string::npos)
+      << report;
 }
 
 }  // namespace

@@ -1,25 +1,15 @@
 #!/bin/sh
 # The memory image on one emulated core: cross-builds it, checks what it contains, runs it, and holds its figures to the goal:
 # sums within 16 KB and 8 KB, status ok, the host's picture in both budgets.
-# usage: memory.sh SOURCE BUILD SCENES HOST CPU    (SCENES: compiled scenes; HOST: the host's twin of the image; CPU: cortex-m3 …)
+# usage: memory.sh SOURCE BUILD SCENES SPANLINE CPU HOST    (as build.sh; HOST: the host's twin of the image)
 set -eu
-[ $# -eq 5 ] || { echo "usage: memory.sh SOURCE BUILD SCENES HOST CPU" >&2; exit 2; }
-for tool in arm-none-eabi-g++ qemu-system-arm; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool"; exit 77; }
-done
-mkdir -p "$2"
-source=$(cd "$1" && pwd)
-build=$(cd "$2" && pwd)/$5
-scenes=$(cd "$3" && pwd)
+[ $# -eq 6 ] || { echo "usage: memory.sh SOURCE BUILD SCENES SPANLINE CPU HOST" >&2; exit 2; }
 here=$(cd "$(dirname "$0")" && pwd)
-
-quiet() { "$@" > "$build.log" 2>&1 || { cat "$build.log"; exit 1; }; }
-quiet cmake -G Ninja -S "$here/image" -B "$build" --toolchain "$source/toolchain/arm-none-eabi.cmake" -DSPANLINE_CPU="$5" \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_SCENES="$scenes"
-quiet cmake --build "$build" -j 2 --target memory
+build=$2
+sh "$here/build.sh" "$1" "$2" "$3" "$4" "$5" memory
 
 report=$build/memory.txt
-"$4" > "$build/host.txt" || { echo "the host's twin failed:"; cat "$build/host.txt"; exit 1; }
+"$6" > "$build/host.txt" || { echo "the host's twin failed:"; cat "$build/host.txt"; exit 1; }
 status=0
 sh "$here/image_checks.sh" "$build/memory.elf" > "$report" || { cat "$report"; exit 1; }
 sh "$here/emulate.sh" "$5" "$build/memory.elf" >> "$report" || status=$?

@@ -6,8 +6,8 @@
 
 namespace spanline::hal {
 
-// Remembers how long the transfer under way may take. `Dma` is a DmaChannel with stop(); `Port` has cycles_per_byte() and
-// finish().
+// Remembers how long the transfer under way may take. `Dma` is a DmaChannel with stop(); `Port` has cycles_per_byte()
+// and finish().
 class Transfer {
  public:
   template <typename Dma>

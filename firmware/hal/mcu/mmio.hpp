@@ -1,5 +1,6 @@
-// Registers. `Io` is the processor's own memory on a board and a fake on the host, so that every driver of this folder can be
-// tried without hardware: `Io` has get(address) and set(address, value).
+// Registers. `Io` is the processor's own memory on a board and a fake on the host, so that every driver of this folder
+// can be tried without hardware: `Io` has get(address), set(address, value) and address_of(memory), the address that a
+// DMA controller knows memory by.
 #pragma once
 
 #include <concepts>
@@ -10,14 +11,20 @@
 namespace spanline::hal {
 
 template <typename T>
-concept RegisterIo = requires(std::uint32_t address, std::uint32_t value) {
+concept RegisterIo = requires(std::uint32_t address, std::uint32_t value, const void* memory) {
   { T::get(address) } -> std::same_as<std::uint32_t>;
   { T::set(address, value) } -> std::same_as<void>;
+  { T::address_of(memory) } -> std::same_as<std::uint32_t>;
 };
 
 struct Mmio {
   static std::uint32_t get(std::uint32_t address) { return *at(address); }
   static void set(std::uint32_t address, std::uint32_t value) { *at(address) = value; }
+  // What was written to memory so far is there before a DMA controller hears of it.
+  static std::uint32_t address_of(const void* memory) {
+    asm volatile("" : : : "memory");
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(memory));
+  }
 
  private:
   static volatile std::uint32_t* at(std::uint32_t address) {
@@ -48,8 +55,8 @@ Fault wait_for(Ready ready, std::uint32_t polls, Fault otherwise) {
   return otherwise;
 }
 
-// Polls for what takes `cycles` of the processor's clock: a poll reads a register, compares and branches, never in less than 4
-// cycles, so this is more than four times as long.
+// Polls for what takes `cycles` of the processor's clock: a poll reads a register, compares and branches, never in less
+// than 4 cycles, so this is more than four times as long.
 constexpr std::uint32_t polls_for(std::uint32_t cycles) { return cycles + 64; }
 
 // Oscillators and PLLs start within 20 ms; at reset no core here is faster than 16 MHz.

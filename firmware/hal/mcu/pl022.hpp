@@ -25,8 +25,8 @@ class Pl022 {
   // SPI mode 0 to 3, in force from the next set_clock() on.
   void set_mode(std::uint8_t mode) { mode_ = mode; }
 
-  // The port's clock is source_hz / (prescale * (1 + rate)), prescale even: the fastest that is at most `hz`, or the slowest
-  // there is. Returns what was reached.
+  // The port's clock is source_hz / (prescale * (1 + rate)), prescale even: the fastest that is at most `hz`, or the
+  // slowest there is. Returns what was reached.
   std::uint32_t set_clock(std::uint32_t source_hz, std::uint32_t hz) {
     std::uint32_t prescale = 2, rate = 255;
     for (; prescale < 254; prescale += 2) {
@@ -50,7 +50,8 @@ class Pl022 {
 
   Fault write(Slice<const std::uint8_t> bytes) {
     for (const std::uint8_t byte : bytes) {
-      if (wait_for([] { return State::any(kNotFull); }, polls_for(cycles_per_byte_), Fault::spi_timeout) != Fault::none) {
+      if (wait_for([] { return State::any(kNotFull); }, polls_for(cycles_per_byte_), Fault::spi_timeout) !=
+          Fault::none) {
         return Fault::spi_timeout;
       }
       Data::set(byte);
@@ -72,7 +73,8 @@ class Pl022 {
   std::uint32_t phase_and_polarity() const { return (mode_ & 1u) << 7 | (mode_ & 2u) << 5; }
 
   static void drop_received() {
-    for (std::uint32_t at_most = kFifo; at_most != 0 && State::any(kReceived); --at_most) static_cast<void>(Data::get());
+    for (std::uint32_t at_most = kFifo; at_most != 0 && State::any(kReceived); --at_most)
+      static_cast<void>(Data::get());
   }
 
   std::uint32_t cycles_per_byte_ = 8 * 2 * 256;

@@ -14,24 +14,31 @@ class SysTick {
   using Control = Register<Io, 0xE000E010>;
   using Reload = Register<Io, 0xE000E014>;
   using Value = Register<Io, 0xE000E018>;
+  using InterruptState = Register<Io, 0xE000ED04>;
   static constexpr std::uint32_t kEnable = 1, kInterrupt = 2, kProcessorClock = 4;
+  static constexpr std::uint32_t kPending = 1u << 26;  // of InterruptState
 
  public:
   static void begin() {
     Reload::set(kPerMs - 1);
     Value::set(0);
     Control::set(kEnable | kInterrupt | kProcessorClock);
+    // The counter begins at 0, which would be the end of a millisecond: a cycle later, in emulation many, it has its
+    // start value.
+    static_cast<void>(wait_for([] { return Value::get() != 0; }, kPerMs, Fault::clock_timeout));
   }
 
   static void tick() { ms_ = ms_ + 1; }
 
-  // Wraps after 71 minutes.
+  // Wraps after 71 minutes. Where the counter has wrapped and tick() has not run yet, that millisecond counts already.
   std::uint32_t now_us() const {
-    for (;;) {  // at most twice: the next millisecond is far away
-      const std::uint32_t ms = ms_;
-      const std::uint32_t into = (kPerMs - 1 - Value::get()) / kPerUs;
-      if (ms == ms_) return ms * 1000 + into;
+    std::uint32_t ms = ms_;
+    std::uint32_t left = Value::get();
+    if (InterruptState::any(kPending) || ms != ms_) {
+      left = Value::get();
+      ms = ms_ + (InterruptState::any(kPending) ? 1 : 0);
     }
+    return ms * 1000 + (kPerMs - 1 - left) / kPerUs;
   }
 
   // Bounded even where the timer stands still: a turn takes more than one cycle.

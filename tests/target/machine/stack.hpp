@@ -1,12 +1,9 @@
-// How deep the stack has been: it is painted, and what is painted no longer was used.
+// How deep the stack has been, for a part of a run.
 #pragma once
 
 #include <cstdint>
 
 namespace spanline::target {
-
-// Paints everything below the caller's frame.
-void paint_stack();
 
 // Paints the stack, runs `work`, and returns the bytes of stack that it used below the caller's frame, its return
 // address included. An interrupt would add its own.

@@ -1,6 +1,7 @@
 // Draws the scenes in both budgets and prints what each took, one line a scene and budget, and what a block of each
 // pool costs.
-#include "machine/semihosting.hpp"
+#include "boards/common/report.hpp"
+#include "hal/mcu/semihosting.hpp"
 #include "machine/stack.hpp"
 #include "memory/budgets.hpp"
 #include "memory/draw.hpp"
@@ -9,6 +10,8 @@
 
 namespace spanline::target {
 namespace {
+
+using boards::print;
 
 void print_pair(const char* key, std::uint32_t value) {
   print(" ");
@@ -89,5 +92,5 @@ int main() {
   measure_both("teapot", teapot::scene, teapot::camera);
   measure_both("torus", torus::scene, torus::camera);
   print_pools();
-  return good ? 0 : 1;
+  spanline::hal::semihosting::leave(good ? 0 : 1);
 }

@@ -15,7 +15,8 @@ struct System {
   using Gate2 = Register<Io, 0x400FE108>;
   static constexpr std::uint32_t kSsi0 = 1u << 4;  // of Gate1
 
-  // 50 MHz: the 8 MHz crystal, the PLL's 200 MHz by 4. In the datasheet's order: bypass, PLL up, divider, lock, no bypass.
+  // 50 MHz: the 8 MHz crystal, the PLL's 200 MHz by 4. In the datasheet's order: bypass, PLL up, divider, lock, no
+  // bypass.
   static Fault begin() {
     constexpr std::uint32_t kBypass = 1u << 11, kDivide = 1u << 22, kPowerDown = 1u << 13, kOutputOff = 1u << 12;
     constexpr std::uint32_t kCrystalMask = 0xFu << 6, kCrystal8MHz = 0xEu << 6, kSourceMask = 3u << 4, kMainOff = 1u;

@@ -12,7 +12,8 @@ template <RegisterIo Io>
 struct Resets {
   using Reset = Register<Io, 0x4000C000>;
   using Done = Register<Io, 0x4000C008>;
-  static constexpr std::uint32_t kDma = 1u << 2, kIoBank0 = 1u << 5, kPadsBank0 = 1u << 8, kPllSys = 1u << 12, kSpi0 = 1u << 16;
+  static constexpr std::uint32_t kDma = 1u << 2, kIoBank0 = 1u << 5, kPadsBank0 = 1u << 8, kPllSys = 1u << 12,
+                                 kSpi0 = 1u << 16;
 
   static Fault release(std::uint32_t blocks) {
     Reset::raise(blocks);

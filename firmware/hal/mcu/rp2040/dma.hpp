@@ -5,7 +5,8 @@
 
 namespace spanline::hal::rp2040 {
 
-// One channel of the DMA that feeds bytes to the register at kTarget when the peripheral of kRequest asks. A DmaChannel.
+// One channel of the DMA that feeds bytes to the register at kTarget when the peripheral of kRequest asks. A
+// DmaChannel.
 template <RegisterIo Io, unsigned kChannel, std::uint32_t kTarget, std::uint32_t kRequest>
 class Dma {
   static_assert(kChannel < 12, "no such channel");
@@ -22,25 +23,23 @@ class Dma {
 
  public:
   Fault start(Slice<const std::uint8_t> bytes) {
-    if (busy()) return fault_ = Fault::dma_error;
-    fault_ = Fault::none;
-    From::set(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data())));
+    if (busy()) return Fault::dma_error;
+    if (Trigger::any(kAnyError)) stop();
+    From::set(Io::address_of(bytes.data()));
     To::set(kTarget);
     Count::set(bytes.size());
-    Trigger::set(kWriteError | kReadError | kQuiet | kRequest << 15 | kNoChain | kNextByte | kEnable);  // errors: 1 clears
+    Trigger::set(kWriteError | kReadError | kQuiet | kRequest << 15 | kNoChain | kNextByte |
+                 kEnable);  // errors: 1 clears
     return Fault::none;
   }
-  bool busy() const { return Trigger::any(kBusy); }
-  Fault fault() const { return fault_ == Fault::none && Trigger::any(kAnyError) ? Fault::dma_error : fault_; }
+  bool busy() const { return (Trigger::get() & (kBusy | kAnyError)) == kBusy; }
+  Fault fault() const { return Trigger::any(kAnyError) ? Fault::dma_error : Fault::none; }
 
   // Gives up on a transfer, so that the next one finds the channel free.
   void stop() {
     Abort::set(1u << kChannel);
     static_cast<void>(wait_for([] { return !Abort::any(1u << kChannel); }, polls_for(1000), Fault::dma_timeout));
   }
-
- private:
-  Fault fault_ = Fault::none;
 };
 
 }  // namespace spanline::hal::rp2040

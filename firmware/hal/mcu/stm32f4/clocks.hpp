@@ -14,8 +14,8 @@ struct ClockPlan {
   std::uint32_t m, n;
   std::uint32_t q;  // for the 48 MHz domain, which nothing here uses: 2 to 15
   bool halve_apb2;
-  bool over_drive;               // needed above 168 MHz (F42x, F43x)
-  std::uint32_t flash_waits;     // at 2.7 V to 3.6 V: one for each 30 MHz begun, less one
+  bool over_drive;            // needed above 168 MHz (F42x, F43x)
+  std::uint32_t flash_waits;  // at 2.7 V to 3.6 V: one for each 30 MHz begun, less one
   constexpr std::uint32_t hz() const { return source_hz / m * n / 2; }
   constexpr std::uint32_t apb2_hz() const { return halve_apb2 ? hz() / 2 : hz(); }
 };
@@ -37,7 +37,7 @@ struct Rcc {
   using Power = Register<Io, 0x40007000>;
   using PowerState = Register<Io, 0x40007004>;
   using Flash = Register<Io, 0x40023C00>;
-  static constexpr std::uint32_t kDma2 = 1u << 22;                   // of Ahb1; the ports are bits 0 (A) to 10 (K)
+  static constexpr std::uint32_t kDma2 = 1u << 22;                    // of Ahb1; the ports are bits 0 (A) to 10 (K)
   static constexpr std::uint32_t kSpi1 = 1u << 12, kSpi5 = 1u << 20;  // of Apb2
 
   // A peripheral answers two bus cycles after its clock came: the read takes that long.

@@ -5,8 +5,8 @@
 
 namespace spanline::hal::stm32f4 {
 
-// One stream of DMA2 that feeds bytes to the register at kTarget. A DmaChannel. kRequest: the channel that the reference
-// manual's request table names.
+// One stream of DMA2 that feeds bytes to the register at kTarget. A DmaChannel. kRequest: the channel that the
+// reference manual's request table names.
 template <RegisterIo Io, unsigned kStream, unsigned kRequest, std::uint32_t kTarget>
 class Dma2 {
   static_assert(kStream < 8 && kRequest < 8, "no such stream");
@@ -26,28 +26,25 @@ class Dma2 {
 
  public:
   Fault start(Slice<const std::uint8_t> bytes) {
-    if (busy() || bytes.size() > kLongest) return fault_ = Fault::dma_error;
-    fault_ = Fault::none;
+    if (busy() || bytes.size() > kLongest) return Fault::dma_error;
+    if (Control::any(kEnable)) stop();
     ClearFlags::set(kAllFlags);
     To::set(kTarget);
-    From::set(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data())));
+    From::set(Io::address_of(bytes.data()));
     Count::set(bytes.size());
     Fifo::set(0);  // direct mode
     Control::set(kRequest << 25 | kHighPriority | kNextByte | kFromMemory);
     Control::raise(kEnable);
     return Fault::none;
   }
-  bool busy() const { return Control::any(kEnable); }
-  Fault fault() const { return fault_ == Fault::none && Flags::any(kErrors) ? Fault::dma_error : fault_; }
+  bool busy() const { return Control::any(kEnable) && !Flags::any(kErrors); }
+  Fault fault() const { return Flags::any(kErrors) ? Fault::dma_error : Fault::none; }
 
   // Gives up on a transfer, so that the next one finds the stream free.
   void stop() {
     Control::lower(kEnable);
     static_cast<void>(wait_for([] { return !Control::any(kEnable); }, polls_for(1000), Fault::dma_timeout));
   }
-
- private:
-  Fault fault_ = Fault::none;
 };
 
 }  // namespace spanline::hal::stm32f4

@@ -43,7 +43,8 @@ class SpiPort {
     return finish();
   }
 
-  // Ends when the last bit has left. What was received meanwhile nobody wants: reading data, then state, clears its overrun.
+  // Ends when the last bit has left. What was received meanwhile nobody wants: reading data, then state, clears its
+  // overrun.
   Fault finish() {
     Fault fault = empty();
     if (fault == Fault::none) {

@@ -1,0 +1,28 @@
+// BBC micro:bit, a Cortex-M0 with 16 KB RAM, emulated: no panel, it prints what it would have shown.
+#pragma once
+
+#include "boards/common/emulated.hpp"
+
+namespace spanline::boards {
+
+constexpr std::uint16_t at_most(std::uint16_t asked, std::uint16_t most) { return asked < most ? asked : most; }
+
+class Board : public EmulatedBoard<128, 64, PixelFormat::grey4> {
+ public:
+  // Pools for 16 KB, stack included: short bands, no vertex kept, what one line needs. The picture stays the same.
+  static constexpr Budget fit(const Budget& asked) {
+    Budget budget = asked;
+    budget.band_lines = 16;
+    budget.vertices = 0;
+    budget.facets = at_most(asked.facets, 160);
+    budget.polygons = at_most(asked.polygons, 80);
+    budget.segments = at_most(asked.segments, 80);
+    budget.edges = at_most(asked.edges, 24);
+    budget.active = 10;
+    budget.samples = 24;
+    budget.implied = 2;
+    return budget;
+  }
+};
+
+}  // namespace spanline::boards

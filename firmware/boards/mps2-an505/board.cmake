@@ -1,0 +1,3 @@
+set(SPANLINE_CPU cortex-m33)
+set(SPANLINE_LINKER_SCRIPT mps2_an505.ld)
+set(SPANLINE_MACHINE mps2-an505)  # QEMU's name

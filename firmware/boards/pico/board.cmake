@@ -1,0 +1,4 @@
+set(SPANLINE_CPU cortex-m0plus)
+set(SPANLINE_LINKER_SCRIPT rp2040.ld)
+set(SPANLINE_BOARD_SOURCES boot2.S)
+set(SPANLINE_UF2 yes)

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "demos/cubes.hpp"
+#include "demos/gauges.hpp"
+#include "demos/gears.hpp"
+#include "demos/teapot.hpp"
+
+namespace spanline::demos {
+
+// Every demo, in the order in which they are listed.
+inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges};
+
+}  // namespace spanline::demos

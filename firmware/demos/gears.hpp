@@ -1,0 +1,33 @@
+// A gear of 20 teeth drives one of 12: concave faces, round holes, and teeth that fit into gaps.
+#pragma once
+
+#include "demos/demo.hpp"
+#include "gears_scene.hpp"
+#include "gears_small_scene.hpp"
+#include "gears_tall_scene.hpp"
+
+namespace spanline::demos {
+
+void pose_gears(std::uint32_t frame, const Shot& shot, const Moving& moving);
+
+inline constexpr Layouts gears{
+    "gears",
+    pose_gears,
+    {{&gears_scene::scene, &gears_scene::camera, &gears_scene::kTarget, gears_scene::kOrigins, gears_scene::kWidth,
+      gears_scene::kHeight},
+     {.facets = 384, .vertices = 1240, .polygons = 72, .edges = 320, .segments = 80, .implied = 16, .gouraud = false}},
+    {{&gears_tall_scene::scene, &gears_tall_scene::camera, &gears_tall_scene::kTarget, gears_tall_scene::kOrigins,
+      gears_tall_scene::kWidth, gears_tall_scene::kHeight},
+     {.facets = 384, .vertices = 1240, .polygons = 72, .edges = 320, .segments = 80, .implied = 16, .gouraud = false}},
+    {{&gears_small_scene::scene, &gears_small_scene::camera, &gears_small_scene::kTarget, gears_small_scene::kOrigins,
+      gears_small_scene::kWidth, gears_small_scene::kHeight},
+     {.facets = 336,
+      .vertices = 1240,
+      .polygons = 64,
+      .edges = 224,
+      .segments = 72,
+      .samples = 32,
+      .implied = 8,
+      .gouraud = false}}};
+
+}  // namespace spanline::demos

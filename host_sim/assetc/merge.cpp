@@ -1,0 +1,180 @@
+#include "assetc/merge.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "assetc/face_table.hpp"
+#include "assetc/merge_outline.hpp"
+
+namespace spanline::host {
+namespace {
+
+__extension__ using Wide = __int128;
+
+Wide wide_dot(GridVector a, GridVector b) { return Wide{a.x} * b.x + Wide{a.y} * b.y + Wide{a.z} * b.z; }
+
+struct Face {
+  std::vector<Ring> rings;
+  std::uint16_t material = 0;
+  GridVector normal;  // of the first ring
+};
+
+std::vector<Face> faces_of(const MeshTables& mesh) {
+  std::vector<Face> faces;
+  for (const FaceGroup& group : mesh.groups) {
+    for (std::uint32_t i = 0; i < group.face_count; ++i) {
+      auto corner = mesh.corners.begin() + group.first_corner + std::ptrdiff_t{group.corners_per_face} * i;
+      Face face;
+      for (std::uint32_t ring = 0; ring < group.contour_count; ++ring) {
+        const std::uint16_t count =
+            group.contour_count == 1 ? group.corners_per_face : mesh.contours[group.first_contour + ring];
+        face.rings.emplace_back(corner, corner + count);
+        corner += count;
+      }
+      face.material = group.material;
+      face.normal = newell(face.rings.front(), mesh.positions);
+      faces.push_back(std::move(face));
+    }
+  }
+  return faces;
+}
+
+class Merger {
+ public:
+  Merger(const MeshTables& mesh, const std::string& place, std::uint32_t most_corners)
+      : mesh_(mesh), place_(place), most_corners_(most_corners), faces_(faces_of(mesh)) {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      for_each_edge(faces_[i], [&](std::uint16_t from, std::uint16_t to) { over_.insert({{from, to}, i}); });
+    }
+  }
+
+  MeshTables run() {
+    std::vector<std::size_t> order(faces_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area(a) > area(b); });
+    for (const std::size_t seed : order) {
+      if (taken_[seed]) continue;
+      const std::vector<std::size_t> group = grown_from(seed);
+      if (join(group)) continue;
+      for (const std::size_t face : group) join({face});  // bridges to its own holes
+    }
+    return tables();
+  }
+
+ private:
+  template <typename Action>
+  static void for_each_edge(const Face& face, Action action) {
+    for (const Ring& ring : face.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) action(ring[i], ring[(i + 1) % ring.size()]);
+    }
+  }
+
+  Wide area(std::size_t face) const { return wide_dot(faces_[face].normal, faces_[face].normal); }
+
+  // Whether Gouraud shading, if the scene has it, gives the face one colour: all corners have `normal`.
+  bool smooth_with(const Face& face, std::uint32_t normal) const {
+    if (mesh_.vertex_normals.empty()) return true;
+    return std::all_of(face.rings.begin(), face.rings.end(), [&](const Ring& ring) {
+      return std::all_of(ring.begin(), ring.end(),
+                         [&](std::uint16_t v) { return mesh_.vertex_normals[v].packed == normal; });
+    });
+  }
+
+  // Every corner is at most one unit off the seed's plane: (n . d)^2 <= n . n.
+  bool in_plane_of(const Face& seed, const Face& face) const {
+    const Position& origin = mesh_.positions[seed.rings[0][0]];
+    const Wide limit = wide_dot(seed.normal, seed.normal);
+    bool near = true;
+    for_each_edge(face, [&](std::uint16_t corner, std::uint16_t) {
+      const Wide off = wide_dot(seed.normal, mesh_.positions[corner] - origin);
+      near = near && off * off <= limit;
+    });
+    return near;
+  }
+
+  bool belongs(std::size_t seed, std::size_t face) const {
+    const Face& a = faces_[seed];
+    const Face& b = faces_[face];
+    if (a.material != b.material || mesh_.face_normals[seed].packed != mesh_.face_normals[face].packed) return false;
+    if (area(face) == 0 || wide_dot(a.normal, b.normal) <= 0) return false;
+    const std::uint32_t normal = mesh_.vertex_normals.empty() ? 0 : mesh_.vertex_normals[a.rings[0][0]].packed;
+    return smooth_with(b, normal) && in_plane_of(a, b);
+  }
+
+  std::vector<std::size_t> grown_from(std::size_t seed) {
+    std::vector<std::size_t> group = {seed};
+    taken_[seed] = true;
+    if (!belongs(seed, seed)) return group;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for_each_edge(faces_[group[i]], [&](std::uint16_t from, std::uint16_t to) {
+        const auto [begin, end] = over_.equal_range({to, from});
+        for (auto at = begin; at != end; ++at) {
+          if (taken_[at->second] || !belongs(seed, at->second)) continue;
+          taken_[at->second] = true;
+          group.push_back(at->second);
+        }
+      });
+    }
+    return group;
+  }
+
+  // Puts the outline of the group in place of its lowest face. False where it cannot be, or nothing would be gained.
+  bool join(const std::vector<std::size_t>& group) {
+    EdgeSet edges;
+    for (const std::size_t face : group) {
+      for (const Ring& ring : faces_[face].rings) edges.add(ring);
+    }
+    const bool small = group.size() == 1 || edges.size() <= most_corners_;
+    if (!edges.cancelled_any() || !small) return false;
+    std::optional<std::vector<Ring>> rings = edges.outline(mesh_.positions, faces_[group[0]].normal);
+    if (!rings) return false;
+    for (const std::size_t face : group) faces_[face].rings.clear();
+    faces_[*std::min_element(group.begin(), group.end())].rings = std::move(*rings);
+    return true;
+  }
+
+  std::uint16_t renumbered(std::uint16_t vertex, MeshTables& out) {
+    const auto [found, is_new] = numbers_.try_emplace(vertex, static_cast<std::uint16_t>(out.positions.size()));
+    if (is_new) {
+      out.positions.push_back(mesh_.positions[vertex]);
+      if (!mesh_.vertex_normals.empty()) out.vertex_normals.push_back(mesh_.vertex_normals[vertex]);
+    }
+    return found->second;
+  }
+
+  MeshTables tables() {
+    MeshTables out;
+    out.name = mesh_.name;
+    out.unit = mesh_.unit;
+    std::copy(std::begin(mesh_.origin), std::end(mesh_.origin), out.origin);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::vector<Ring>& rings = faces_[i].rings;
+      if (rings.empty()) continue;
+      TableFace face{static_cast<std::uint32_t>(out.corners.size()), 0, {}, faces_[i].material};
+      for (const Ring& ring : rings) {
+        if (rings.size() > 1) face.rings.push_back(static_cast<std::uint16_t>(ring.size()));
+        for (const std::uint16_t vertex : ring) out.corners.push_back(renumbered(vertex, out));
+      }
+      face.corner_count = static_cast<std::uint32_t>(out.corners.size()) - face.first_corner;
+      append_face(out, face, place_);
+      out.face_normals.push_back(mesh_.face_normals[i]);
+    }
+    return out;
+  }
+
+  const MeshTables& mesh_;
+  const std::string& place_;
+  const std::uint32_t most_corners_;
+  std::vector<Face> faces_;
+  std::multimap<std::pair<std::uint16_t, std::uint16_t>, std::size_t> over_;  // directed edge to the faces that have it
+  std::vector<bool> taken_ = std::vector<bool>(faces_.size());
+  std::map<std::uint16_t, std::uint16_t> numbers_;
+};
+
+}  // namespace
+
+MeshTables merge_coplanar(const MeshTables& mesh, const std::string& place, std::uint32_t most_corners) {
+  return mesh.face_normals.empty() ? mesh : Merger(mesh, place, most_corners).run();
+}
+
+}  // namespace spanline::host

@@ -1,0 +1,78 @@
+#include "demo/demo_command.hpp"
+
+#include <iostream>
+
+#include "demo/boards.hpp"
+#include "demo/names.hpp"
+#include "demos/all.hpp"
+#include "sim/arguments.hpp"
+#include "sim/engine.hpp"
+#include "sim/status_text.hpp"
+
+namespace spanline::host {
+namespace {
+
+const demos::Layouts& find_demo(const std::string& name) {
+  return *by_name("NAME", demos::kAll, name, [](const demos::Layouts* demo) { return demo->name; });
+}
+
+PoolSizes pools_of(const Budget& budget) {
+  return {.facets = budget.facets,
+          .vertices = budget.vertices,
+          .polygons = budget.polygons,
+          .edges = budget.edges,
+          .segments = budget.segments,
+          .samples = budget.samples,
+          .implied = budget.implied};
+}
+
+void require(bool ok, const Status& status, const std::string& name) {
+  if (!ok) throw InputError(name, status_text(status));
+}
+
+// Frame `frame` in the pools that the board has, too.
+Rendering draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame) {
+  demos::Stage stage;
+  const Status status = stage.begin(demo, screen);
+  require(status.ok(), status, demo.name);
+  stage.show(frame);
+  EngineOptions options;
+  options.width = screen.width;
+  options.height = screen.height;
+  options.format = screen.format;
+  options.pools = pools_of(demo.budget);
+  Rendering rendering;
+  const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
+  require(drawn.ok(), drawn, demo.name);
+  return rendering;
+}
+
+}  // namespace
+
+DemoCommand::DemoCommand(CLI::App& app)
+    : verb_(app.add_subcommand("demo", "draw a firmware's demo as its board shows it")) {
+  verb_->add_option("NAME", name_, "which demo: see --list");
+  verb_->add_option("--board", board_, "the board whose panel it is framed for");
+  verb_->add_option("--frame", frame_, "which frame (default: 0)");
+  verb_->add_option("--out", out_, "the picture, .png or .ppm");
+  verb_->add_flag("--list", list_, "print the names of the demos, one a line");
+}
+
+void DemoCommand::run() const {
+  if (list_) {
+    for (const demos::Layouts* demo : demos::kAll) std::cout << demo->name << "\n";
+    return;
+  }
+  if (!name_) throw UsageError("NAME is required; --list prints the demos");
+  const demos::Layouts& demo = find_demo(*name_);
+  if (!board_) throw UsageError("--board is required");
+  const Screen& panel = find_board(*board_).panel;
+  if (!out_) throw UsageError("--out is required");
+  check_picture_path(*out_);
+  const std::int64_t frame = frame_ ? parse_integer("--frame", *frame_, 0, UINT32_MAX) : 0;
+  const Rendering rendering = draw(demo.framed_for(panel), panel, static_cast<std::uint32_t>(frame));
+  require(rendering.status.ok(), rendering.status, *name_);
+  write_picture(*out_, rendering.picture);
+}
+
+}  // namespace spanline::host

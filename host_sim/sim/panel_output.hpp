@@ -1,0 +1,42 @@
+// Pictures sent through a panel's driver into the model of its controller: --panel.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "panel/panel_run.hpp"
+
+namespace spanline::host {
+
+class PanelOutput {
+ public:
+  // `rotation` 0 to 3. Throws UsageError for a name that is not one of panel_names() and for a turn that the panel
+  // cannot make.
+  PanelOutput(const std::string& panel, int rotation);
+
+  PixelFormat format() const { return run_->format(); }
+  std::uint16_t width() const { return run_->width(); }
+  std::uint16_t height() const { return run_->height(); }
+
+  // Keeps the stream from here on: records of two bytes, the kind (0 command, 1 data, 2 chip select, 3 reset) and the
+  // value.
+  void keep_log() { run_->bench().keep_log = true; }
+  const std::vector<std::uint8_t>& log() const { return run_->bench().log; }
+
+  // Sends a whole picture line by line, each while the next one is made; before the first, initialises the panel.
+  // Throws InputError for a fault, finish_frame() an error that says what the model complains about.
+  void begin_frame();
+  void line(Slice<const std::uint8_t> wire);
+  Picture finish_frame();
+
+ private:
+  void require(hal::Fault fault) const;
+
+  std::string name_;
+  std::unique_ptr<PanelRun> run_;
+  std::vector<std::uint8_t> lines_[2];  // by turns: one is in flight
+  bool begun_ = false, turn_ = false;
+};
+
+}  // namespace spanline::host

@@ -1,0 +1,53 @@
+#!/bin/sh
+# A board's images: builds all of them, checks what they contain, runs those that an emulator knows, and compares what
+# they show with the host, pixel for pixel where the emulator has the panel, else by the sums of lines and frames.
+# usage: images.sh SOURCE BUILD HOST_TOOLS HOST_SUMS BOARD
+# HOST_TOOLS: the folder with spanline and spanline-screendump
+set -eu
+[ $# -eq 5 ] || { echo "usage: images.sh SOURCE BUILD HOST_TOOLS HOST_SUMS BOARD" >&2; exit 2; }
+command -v arm-none-eabi-g++ > /dev/null || { echo "skipped: no arm-none-eabi-g++"; exit 77; }
+mkdir -p "$2"
+source=$(cd "$1" && pwd)
+build=$(cd "$2" && pwd)/$5
+tools=$3
+sums=$4
+board=$5
+demos="teapot cubes gears gauges"
+
+quiet() { "$@" > "$build.log" 2>&1 || { cat "$build.log"; exit 1; }; }
+quiet cmake -G Ninja -S "$source" -B "$build" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
+  -DSPANLINE_BOARD="$board" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_HOST=OFF \
+  -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF -DSPANLINE_TOOL="$tools/spanline"
+quiet cmake --build "$build" -j 2
+
+for demo in $demos; do
+  printf '%s ' "$demo"
+  sh "$source/tests/target/image_checks.sh" "$build/$demo.elf"
+  for made in bin hex map; do [ -s "$build/$demo.$made" ] || { echo "no $demo.$made"; exit 1; }; done
+done
+
+. "$build/board.sh"
+[ -n "$machine" ] || exit 0
+command -v qemu-system-arm > /dev/null || { echo "skipped: no qemu-system-arm"; exit 77; }
+
+# same DEMO FRAME: fails where the emulated panel and the host differ.
+same() {
+  shown=$build/$1-$2
+  sh "$source/firmware/boards/emulate.sh" "$build" "$1" "$2" "$shown.dump.ppm" > "$shown.txt" ||
+    { cat "$shown.txt"; exit 1; }
+  if [ -n "$screendump" ]; then
+    "$tools/spanline-screendump" "$shown.dump.ppm" 4 "$shown.ppm"
+    "$tools/spanline" demo "$1" --board "$board" --frame "$2" --out "$shown.host.ppm" > /dev/null
+    cmp "$shown.ppm" "$shown.host.ppm"
+  else
+    # The host's sums: every line of the last frame, every frame.
+    "$sums" "$1" "$board" "$2" > "$shown.host.txt"
+    grep -v '^shown' "$shown.txt" | cmp - "$shown.host.txt"
+  fi
+  echo "$1 frame $2: as on the host, $(sed -n 's/^shown .*\(stack=.*\)/\1/p' "$shown.txt")"
+}
+
+for demo in $demos; do
+  same "$demo" 0
+  same "$demo" 7
+done

@@ -1,0 +1,83 @@
+// The golden pictures: demos at chosen frames, sizes and formats, and the CRC-32 of all their line bytes. The host's
+// test and the images for emulated cores (tests/target) draw them by this one header and expect the same numbers.
+#pragma once
+
+#include "core/frame/frame.hpp"
+#include "demos/all.hpp"
+
+namespace spanline::golden {
+
+struct Picture {
+  const char* name;
+  const demos::Layouts* demo;
+  std::uint32_t frame;
+  Screen screen;
+  std::uint32_t crc;
+};
+
+inline constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, PixelFormat::rgb565},
+    kSquare{240, 240, PixelFormat::rgb565}, kGrey{320, 240, PixelFormat::grey8}, kOled{128, 64, PixelFormat::grey4},
+    kMono{128, 64, PixelFormat::mono1};
+
+inline constexpr Picture kPictures[] = {
+    {"teapot-wide-0", &demos::teapot, 0, kWide, 0xde26199c},
+    {"teapot-oled-100", &demos::teapot, 100, kOled, 0x5b038b09},
+    {"teapot-mono-20", &demos::teapot, 20, kMono, 0x21281d82},
+    {"cubes-square-90", &demos::cubes, 90, kSquare, 0x7f1227a8},
+    {"cubes-grey-250", &demos::cubes, 250, kGrey, 0xeb6608be},
+    {"cubes-oled-200", &demos::cubes, 200, kOled, 0x342ee53b},
+    {"gears-wide-7", &demos::gears, 7, kWide, 0x8947b9d0},
+    {"gears-tall-150", &demos::gears, 150, kTall, 0xd4fb0b49},
+    {"gears-oled-33", &demos::gears, 33, kOled, 0xd4387eb6},
+    {"gauges-wide-60", &demos::gauges, 60, kWide, 0x98c4a1c3},
+    {"gauges-tall-3000000", &demos::gauges, 3000000, kTall, 0x7503777f},
+    {"gauges-oled-120", &demos::gauges, 120, kOled, 0xc50d227d},
+};
+
+// Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.
+inline constexpr Budget kBudget{.width = 320,
+                                .height = 320,
+                                .facets = 576,
+                                .vertices = 700,
+                                .polygons = 80,
+                                .edges = 320,
+                                .segments = 80,
+                                .active = 24};
+inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
+
+// CRC-32 as in IEEE 802.3 and PNG.
+class Crc32 {
+ public:
+  void add(Slice<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) {
+      register_ ^= byte;
+      for (int bit = 0; bit < 8; ++bit) register_ = register_ >> 1 ^ ((register_ & 1u) != 0 ? 0xedb88320u : 0u);
+    }
+  }
+  std::uint32_t value() const { return ~register_; }
+
+ private:
+  std::uint32_t register_ = 0xffffffffu;
+};
+
+// Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of
+// all lines. Fails with the status of the stage or of the frame.
+inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& stage, Slice<std::uint8_t> line,
+                   std::uint32_t& crc) {
+  const Status status = stage.begin(picture.demo->framed_for(picture.screen), picture.screen);
+  if (!status.ok()) return status;
+  stage.show(picture.frame);
+  storage.screen = picture.screen;
+  Frame<> frame(storage);
+  Crc32 sum;
+  for (Band rest{0, picture.screen.height}; !rest.empty();) {
+    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
+    if (band.empty()) break;
+    while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
+    rest.top = band.bottom;
+  }
+  crc = sum.value();
+  return frame.status();
+}
+
+}  // namespace spanline::golden

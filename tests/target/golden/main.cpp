@@ -1,0 +1,36 @@
+// The golden pictures on a target: one line a picture, and the exit status says whether all of them came out as
+// expected.
+#include "golden/golden.hpp"
+
+#include "boards/common/report.hpp"
+#include "hal/mcu/semihosting.hpp"
+
+namespace {
+
+using spanline::boards::print;
+using spanline::boards::print_hex;
+
+spanline::FrameMemory<spanline::golden::kBudget> memory;
+constinit spanline::demos::Stage stage;
+alignas(4) std::uint8_t line[spanline::golden::kMostLineBytes];
+
+}  // namespace
+
+int main() {
+  using namespace spanline;
+  bool good = true;
+  for (const golden::Picture& picture : golden::kPictures) {
+    std::uint32_t crc = 0;
+    const Status status = golden::draw(picture, memory.storage(), stage, line, crc);
+    const bool same = status.ok() && crc == picture.crc;
+    good = good && same;
+    print("golden=");
+    print(picture.name);
+    print(" crc=");
+    print_hex(crc);
+    print(" expected=");
+    print_hex(picture.crc);
+    print(same ? " same\n" : status.ok() ? " DIFFERS\n" : " FAILED\n");
+  }
+  hal::semihosting::leave(good ? 0 : 1);
+}
