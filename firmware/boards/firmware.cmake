@@ -11,6 +11,14 @@ if(SPANLINE_BOARD)
   enable_language(ASM)
   # Last on every link line: integer helpers, memcpy and its kin, and nothing else of theirs.
   set(CMAKE_CXX_STANDARD_LIBRARIES "-lgcc -lc_nano -lgcc")
+  # What shell scripts need to know of the board: emulate.sh here, ./dev.
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/board.sh CONTENT "\
+cpu=${SPANLINE_CPU}
+machine=${SPANLINE_MACHINE}
+screendump=${SPANLINE_SCREENDUMP}
+openocd=${SPANLINE_OPENOCD}
+uf2=${SPANLINE_UF2}
+")
 endif()
 
 # The tool that packs a UF2 runs on the build machine, so that machine's compiler makes it.
@@ -36,10 +44,10 @@ function(spanline_firmware name)
   set_target_properties(${name} PROPERTIES SUFFIX .elf
     LINK_DEPENDS "${script};${SPANLINE_LINKER_DIR}/flash.ld;${SPANLINE_LINKER_DIR}/ram.ld")
   target_compile_features(${name} PRIVATE cxx_std_20)
-  # No loop becomes a call of memcpy: start-up runs before there is one.
+  # No loop becomes a call of memcpy: start-up runs before there is one. Freestanding, clang makes none by itself.
   target_compile_options(${name} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-ffreestanding;-fno-exceptions;-fno-rtti;-fno-threadsafe-statics>
-    $<$<COMPILE_LANGUAGE:CXX>:-fno-tree-loop-distribute-patterns>)
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-tree-loop-distribute-patterns>)
   target_include_directories(${name} PRIVATE ${SPANLINE_BOARD_DIR})
   target_link_options(${name} PRIVATE -nostdlib -L ${SPANLINE_LINKER_DIR} -T ${script} -Wl,--gc-sections
     -Wl,--no-warn-rwx-segments -Wl,-Map=$<TARGET_FILE_DIR:${name}>/${name}.map)

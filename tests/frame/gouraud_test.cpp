@@ -103,7 +103,8 @@ TEST(Gouraud, IsFlatWhereTheBudgetHasNoRoomForColours) {
   ASSERT_FALSE(frame.prepare(view, camera, {0, kSize}).empty());
   alignas(4) std::uint8_t line[kSize];
   for (int y = 0; frame.next_line(line); ++y) {
-    if (y >= 16 && y < 48) EXPECT_NEAR(line[32], square.brightness[0], 1) << "the first corner's shade";
+    if (y < 16 || y >= 48) continue;
+    EXPECT_NEAR(line[32], square.brightness[0], 1) << "the first corner's shade";
   }
 }
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # The golden pictures on one emulated core: cross-builds their image, checks what it contains, runs it: the checksum of each
 # is the one that the host's test expects too.
-# usage: golden.sh SOURCE BUILD SCENES SPANLINE CPU    (as build.sh)
+# usage: golden.sh SOURCE BUILD SCENES SPANLINE CPU [TOOLCHAIN]    (as build.sh)
 set -eu
-[ $# -eq 5 ] || { echo "usage: golden.sh SOURCE BUILD SCENES SPANLINE CPU" >&2; exit 2; }
+[ $# -ge 5 ] || { echo "usage: golden.sh SOURCE BUILD SCENES SPANLINE CPU [TOOLCHAIN]" >&2; exit 2; }
 here=$(cd "$(dirname "$0")" && pwd)
-sh "$here/build.sh" "$@" golden
+sh "$here/build.sh" "$1" "$2" "$3" "$4" "$5" golden "${6:-arm-none-eabi}"
 
 report=$2/golden.txt
 status=0

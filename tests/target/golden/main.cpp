@@ -1,8 +1,7 @@
 // The golden pictures on a target: one line a picture, and the exit status says whether all of them came out as
 // expected.
-#include "golden/golden.hpp"
-
 #include "boards/common/report.hpp"
+#include "golden/golden.hpp"
 #include "hal/mcu/semihosting.hpp"
 
 namespace {
