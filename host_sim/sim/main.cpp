@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 
+#include "budget/mcu_verbs.hpp"
+#include "clip/clip_command.hpp"
 #include "demo/demo_command.hpp"
 #include "sim/assets_command.hpp"
 #include "sim/exit_code.hpp"
@@ -13,11 +15,15 @@ int main(int argc, char** argv) {
   const spanline::host::DemoCommand demo(app);
   const spanline::host::ViewCommand view(app);
   const spanline::host::AssetsCommand assets(app);
+  const spanline::host::McuVerbs mcu(app);
+  const spanline::host::ClipCommand clip(app);
   return spanline::host::exit_code_of(app, [&] {
     app.parse(argc, argv);
     if (render.chosen()) render.run();
     if (demo.chosen()) demo.run();
     if (view.chosen()) view.run();
     if (assets.chosen()) assets.run();
+    if (clip.chosen()) clip.run();
+    if (mcu.chosen()) mcu.run();
   });
 }

@@ -1,0 +1,27 @@
+// The whole report on an image: memory, stack, and what its run took.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "budget/memory_report.hpp"
+#include "budget/stack_analysis.hpp"
+#include "mcu/machine.hpp"
+
+namespace spanline::host {
+
+struct Budget {
+  const Image* image;
+  const BoardDescription* board;
+  MemoryReport memory;
+  std::optional<StackBound> stack, exception;  // nothing where they were not asked for
+  RunReport run;
+};
+
+// For the terminal; long tables are cut off, the JSON has them whole.
+std::string budget_text(const Budget& budget);
+
+// One object: board, core, end, instructions, cycles (null without a cycle model), passages, functions, memory, stack.
+std::string budget_json(const Budget& budget);
+
+}  // namespace spanline::host

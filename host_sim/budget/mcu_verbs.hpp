@@ -1,0 +1,28 @@
+// The verbs that run the image of a board: `run` and `budget`. A build without the libraries that they need has
+// neither.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace spanline::host {
+
+class McuVerbs {
+ public:
+  // Where the verbs are missing, the help says so.
+  explicit McuVerbs(CLI::App& app);
+  ~McuVerbs();
+  McuVerbs(const McuVerbs&) = delete;
+  McuVerbs& operator=(const McuVerbs&) = delete;
+
+  bool chosen() const;
+
+  // Throws UsageError and InputError.
+  void run() const;
+
+ private:
+  struct Verbs;
+  std::unique_ptr<Verbs> verbs_;
+};
+
+}  // namespace spanline::host

@@ -1,0 +1,14 @@
+#include "budget/mcu_verbs.hpp"
+
+namespace spanline::host {
+
+struct McuVerbs::Verbs {};
+
+McuVerbs::McuVerbs(CLI::App& app) {
+  app.footer("The verbs `run` and `budget` are not built in: unicorn, capstone or libelf was missing.");
+}
+McuVerbs::~McuVerbs() = default;
+bool McuVerbs::chosen() const { return false; }
+void McuVerbs::run() const {}
+
+}  // namespace spanline::host

@@ -1,0 +1,50 @@
+// Core cycles of Cortex-M0, M0+, M3 and M4 at zero wait states. What flash and bus add is not in them.
+#pragma once
+
+#include <cstdint>
+
+#include "mcu/board.hpp"
+#include "mcu/instruction.hpp"
+
+namespace spanline::host {
+
+// How an instruction went.
+struct Execution {
+  std::uint32_t address = 0;       // of the instruction
+  bool taken = false;              // it went elsewhere than to the next one
+  std::uint32_t next = 0;          // where it went
+  std::uint8_t next_size = 2;      // bytes of the instruction there
+  std::uint32_t data_address = 0;  // first datum's, of loads and stores
+  std::uint8_t data_size = 0;      // bytes of that datum, 0: none was touched
+  std::uint32_t a = 0, b = 0;      // operands of divide and long multiply
+};
+
+class CycleModel {
+ public:
+  // `core` must have a model (has_cycle_model).
+  explicit CycleModel(Core core);
+
+  // Cycles of the next instruction executed. Order matters: neighbours overlap.
+  unsigned step(const Instruction& now, const Execution& how);
+
+  // Cycles of an instruction that its IT block skips.
+  unsigned skip();
+
+ private:
+  struct Rules;
+  static const Rules& rules_of(Core core);
+  unsigned own_cycles(const Instruction& now, const Execution& how) const;
+  unsigned load_cycles(const Instruction& now, const Execution& how) const;
+  unsigned store_cycles(const Instruction& now) const;
+  unsigned jump_cycles(const Instruction& now, const Execution& how) const;
+  unsigned fetch_stall(const Instruction& now, const Execution& how, unsigned cycles);
+
+  const Rules& rules_;
+  bool is_m3_;
+  Instruction previous_{};
+  std::uint32_t previous_data_ = 0;
+  unsigned previous_cycles_ = 1;
+  unsigned fetched_ = 0;  // halfwords in the prefetch buffer, of code in SRAM
+};
+
+}  // namespace spanline::host

@@ -1,0 +1,57 @@
+// Instructions already decoded, by address: a run asks for the same ones millions of times.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "mcu/decoder.hpp"
+#include "mcu/image.hpp"
+
+namespace spanline::host {
+
+// Code that changes after it has run is not noticed.
+class DecodedCode {
+ public:
+  struct Entry {
+    Instruction insn;
+    std::uint32_t function = 0;  // index of Image::functions(), or their number
+  };
+
+  DecodedCode(const Image& image, Core core) : image_(image), decoder_(core) {}
+
+  // `read`: the halfword at an address.
+  template <typename Read>
+  const Entry& at(std::uint32_t address, Read read) {
+    std::int32_t& slot = slot_of(address);
+    if (slot < 0) {
+      const std::uint16_t first = read(address);
+      slot = decode(address, first, thumb_size(first) == 4 ? read(address + 2) : std::uint16_t{0});
+    }
+    return *entries_[static_cast<std::size_t>(slot)];
+  }
+
+ private:
+  static constexpr std::uint32_t kPageBytes = 4096;
+  struct Page {
+    std::array<std::int32_t, kPageBytes / 2> index;
+  };
+
+  std::int32_t& slot_of(std::uint32_t address) {
+    if (address / kPageBytes != last_number_) turn_to(address / kPageBytes);
+    return last_page_->index[address % kPageBytes / 2];
+  }
+  void turn_to(std::uint32_t number);
+  std::int32_t decode(std::uint32_t address, std::uint16_t first, std::uint16_t second);
+
+  const Image& image_;
+  Decoder decoder_;
+  std::unordered_map<std::uint32_t, std::unique_ptr<Page>> pages_;
+  std::uint32_t last_number_ = UINT32_MAX;
+  Page* last_page_ = nullptr;
+  std::vector<std::unique_ptr<Entry>> entries_;
+};
+
+}  // namespace spanline::host

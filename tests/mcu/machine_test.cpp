@@ -1,0 +1,123 @@
+// Runs of a few instructions: what is counted, where a run ends, what a fault says.
+#include "mcu/machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "assetc/input_error.hpp"
+#include "mcu/tiny_elf.hpp"
+#include "sim/usage_error.hpp"
+
+namespace spanline::host {
+namespace {
+
+RunReport run(const std::vector<std::uint16_t>& code, const char* board = "cortex-m4", const RunOptions& options = {},
+              std::vector<TinySymbol> symbols = {{"reset", 0x41, 0}}) {
+  TinyElf elf;
+  elf.code = code;
+  elf.symbols = std::move(symbols);
+  return run_image(Image(write_tiny_elf(elf, "run.elf")), board_named(board), options);
+}
+
+std::string fault(const std::vector<std::uint16_t>& code, const char* board = "cortex-m4") {
+  try {
+    run(code, board);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Machine, CountsWhatAnItBlockSkips) {
+  // cmp r0, r0; ittet ne; three of the four are skipped; bkpt
+  const RunReport report = run({0x4280, 0xBF15, 0x3101, 0x3101, 0x3201, 0x3101, 0xBE00});
+  EXPECT_EQ(report.total.instructions, 7u);
+  // The same within a loop, the last of the block a branch: movs r1, #3; subs r1, #1; it ne; bne back; bkpt
+  EXPECT_EQ(run({0x2103, 0x3901, 0xBF18, 0xE7FC, 0xBE00}).total.instructions, 1u + 3 * 3 + 1);
+}
+
+TEST(Machine, EndsAtBreakpointCallAndIdleLoop) {
+  EXPECT_EQ(run({0xBE00}).end, "BKPT at 0x00000040 in reset");
+  EXPECT_EQ(run({0xDF00}).end, "SVC at 0x00000040 in reset");
+  EXPECT_EQ(run({0xE7FE}).end, "spins at 0x00000040 in reset");
+  EXPECT_EQ(run({0xBF30}).end, "waits for an interrupt at 0x00000040 in reset");
+  EXPECT_EQ(run({0xBF20}).end, "waits for an interrupt at 0x00000040 in reset");
+  EXPECT_EQ(run({0xBF00, 0xBE00}).total.instructions, 2u);
+}
+
+TEST(Machine, SpeaksBySemihosting) {
+  // movs r0, #4; adr r1, text; bkpt 0xab; movs r0, #0x18; ldr r1, =0x20026; bkpt 0xab; text "hi", 0; 0x20026
+  const RunReport report = run({0x2004, 0xA102, 0xBEAB, 0x2018, 0x4901, 0xBEAB, 0x6968, 0x0000, 0x0026, 0x0002});
+  EXPECT_EQ(report.output, "hi");
+  EXPECT_EQ(report.end, "exit 0");
+  EXPECT_EQ(report.total.instructions, 6u);
+}
+
+// reset: bl begin; adds; adds; bl end; b reset. begin and end: bx lr.
+const std::vector<std::uint16_t> kFrames = {0xF000, 0xF806, 0x3001, 0x3001, 0xF000,
+                                            0xF803, 0xE7F8, 0xBF00, 0x4770, 0x4770};
+const std::vector<TinySymbol> kMarks = {
+    {"reset", 0x41, 16}, {"frame_begin_mark", 0x51, 2}, {"frame_end_mark", 0x53, 2}};
+
+TEST(Machine, CountsBetweenTwoSymbols) {
+  RunOptions options;
+  options.from = "frame_begin_mark";
+  options.until = "frame_end_mark";
+  options.passages = 3;
+  const RunReport report = run(kFrames, "cortex-m4", options, kMarks);
+  ASSERT_EQ(report.passages.size(), 3u);
+  for (const Count& frame : report.passages) EXPECT_EQ(frame.instructions, 4u);  // bx lr; adds; adds; bl
+  EXPECT_EQ(report.passages[1].cycles, 2u + 1 + 1 + 2);
+  EXPECT_EQ(report.end, "reached frame_end_mark");
+  EXPECT_EQ(report.functions[0].instructions, 9u);
+  EXPECT_EQ(report.functions[1].instructions, 3u);
+  EXPECT_EQ(report.total.instructions, 12u);
+}
+
+TEST(Machine, SaysWhereAnImageFaults) {
+  // movs r0, #0x40; lsls r0, r0, #24; ldr r1, [r0]
+  const std::string missing = fault({0x2040, 0x0600, 0x6801, 0xBE00});
+  EXPECT_NE(missing.find("reads 0x40000000, where nothing is modelled, at 0x00000044 in reset; r0=0x40000000"),
+            std::string::npos)
+      << missing;
+  // movs r0, #0; str r0, [r0]
+  EXPECT_NE(fault({0x2000, 0x6000, 0xBE00}).find("writes 0x00000000, which is flash"), std::string::npos);
+  // movs r0, #0xE0; lsls r0, r0, #24; ldr r1, [r0]: a register of the core's that nobody modelled
+  EXPECT_NE(fault({0x20E0, 0x0600, 0x6801, 0xBE00}).find("reads the register 0xe0000000, which is not modelled"),
+            std::string::npos);
+  EXPECT_NE(fault({0xDE00, 0xBE00}).find("at 0x00000040 in reset"), std::string::npos);  // udf
+}
+
+TEST(Machine, RefusesWhatTheCoreLacks) {
+  const std::vector<std::uint16_t> divide = {0xFBB1, 0xF0F2, 0xBE00}, square_root = {0xEEB1, 0x0AC0, 0xBE00};
+  EXPECT_NE(fault(divide, "cortex-m0").find("an instruction that a Cortex-M0 lacks"), std::string::npos);
+  EXPECT_EQ(fault(divide, "cortex-m3"), "none");
+  EXPECT_NE(fault(square_root, "cortex-m3").find("an instruction that a Cortex-M3 lacks"), std::string::npos);
+  EXPECT_EQ(fault(square_root, "cortex-m4"), "none");
+  // movs r0, #0x20; lsls r0, r0, #24; adds r0, #1; ldr r1, [r0]
+  const std::vector<std::uint16_t> unaligned = {0x2020, 0x0600, 0x3001, 0x6801, 0xBE00};
+  EXPECT_NE(fault(unaligned, "cortex-m0plus").find("unaligned address 0x20000001"), std::string::npos);
+  EXPECT_EQ(fault(unaligned, "cortex-m3"), "none");
+}
+
+TEST(Machine, GivesUpAtTheLimit) {
+  RunOptions options;
+  options.limit = 1000;
+  // nop; b back
+  EXPECT_THROW(run({0xBF00, 0xE7FD}, "cortex-m4", options), InputError);
+  options.until = "nobody";
+  EXPECT_THROW(run({0xBE00}, "cortex-m4", options), InputError);
+}
+
+TEST(Machine, MeasuresTheStack) {
+  const RunReport report = run({0xB5F0, 0xB084, 0xB004, 0xBE00});  // push 5; sub sp, #16; add sp, #16
+  EXPECT_EQ(report.stack_reached, 36u);
+}
+
+TEST(Board, UnknownNamesAreRefusedWithTheList) { EXPECT_THROW(board_named("toaster"), UsageError); }
+
+TEST(Machine, RefusesAnImageForAnotherBoard) {
+  EXPECT_NE(fault({0xBE00}, "pico").find("is for another board"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spanline::host
