@@ -93,7 +93,7 @@ class SsdPagePanel : public SsdBase<kTraits, PixelFormat::mono1, Wiring> {
   // there.
   void gather(Slice<const std::uint8_t> line) {
     for (std::uint32_t x = 0; x < columns_; ++x) {
-      const unsigned bit = line[x / 8] >> (7 - x % 8) & 1u;
+      const unsigned bit = std::uint32_t{line[x / 8]} >> (7 - x % 8) & 1u;
       page_[x] = static_cast<std::uint8_t>(page_[x] >> 1 | bit << 7);
     }
   }
