@@ -15,8 +15,9 @@ Mesh dice_patches(std::istream& bpt, int steps, bool triangles);
 // sizes mesh.
 Mesh gear(int teeth, int holes);
 
-// The parts of a round instrument of radius 1 in the x-y plane: the rim round its glass, the dial, on it a scale of coloured
-// zones and ticks from 135 degrees left of the top to 135 right of it, and the needle, pointing up, that turns before them.
+// The parts of a round instrument of radius 1 in the x-y plane: the rim round its glass, the dial, on it a scale of
+// coloured zones and ticks from 135 degrees left of the top to 135 right of it, and the needle, pointing up, that turns
+// before them.
 Mesh gauge_rim();
 Mesh gauge_dial();
 Mesh gauge_scale();
