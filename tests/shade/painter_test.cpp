@@ -63,9 +63,9 @@ TEST(Painter, PacksGreyPixelsOfAllCuts) {
         if (format == PixelFormat::grey8) {
           EXPECT_EQ(line.bytes[x], grey);
         } else if (format == PixelFormat::grey4) {
-          EXPECT_EQ((line.bytes[x / 2] >> (x % 2 == 0 ? 4 : 0)) & 15u, dither_grey4(grey, x, 0));
+          EXPECT_EQ((unsigned{line.bytes[x / 2]} >> (x % 2 == 0 ? 4 : 0)) & 15u, dither_grey4(grey, x, 0));
         } else {
-          EXPECT_EQ((line.bytes[x / 8] >> (7 - x % 8)) & 1u, dither_mono(grey, x, 0));
+          EXPECT_EQ((unsigned{line.bytes[x / 8]} >> (7 - x % 8)) & 1u, dither_mono(grey, x, 0));
         }
       }
       EXPECT_EQ(line.bytes[bytes_per_line(format, 21)], 0xa5);
