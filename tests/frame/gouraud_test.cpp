@@ -55,18 +55,23 @@ struct Square {
   }
 };
 
+CameraRecord four_units_away() {
+  CameraRecord camera{};
+  for (int i = 0; i < 3; ++i) camera.axes[i][i].raw = Fx30::kOne;
+  camera.eye[2] = Fx16::from_int(4);
+  camera.focal = Fx12::from_int(64);
+  camera.near_plane = Fx16::from_int(1);
+  camera.far_plane = Fx16::from_int(10);
+  return camera;
+}
+
 TEST(Gouraud, IsLinearBetweenTheEdges) {
   constexpr double kTilts[][4] = {{0, 1.2, 0.4, 0.9}, {1.5, 0, 1.5, 0}, {0.3, 0.3, 1.4, 1.4}};
   for (const auto& tilt : kTilts) {
     Square square(tilt);
     SceneView view;
     ASSERT_TRUE(SceneView::validate(square.scene, view).ok());
-    CameraRecord camera{};
-    for (int i = 0; i < 3; ++i) camera.axes[i][i].raw = Fx30::kOne;
-    camera.eye[2] = Fx16::from_int(4);
-    camera.focal = Fx12::from_int(64);
-    camera.near_plane = Fx16::from_int(1);
-    camera.far_plane = Fx16::from_int(10);
+    const CameraRecord camera = four_units_away();
     FrameMemory<kBudget> memory;
     Frame<> frame(memory.storage());
     ASSERT_FALSE(frame.prepare(view, camera, {0, kSize}).empty());
@@ -92,12 +97,7 @@ TEST(Gouraud, IsFlatWhereTheBudgetHasNoRoomForColours) {
   Square square({0.5, 1, 1, 1});
   SceneView view;
   ASSERT_TRUE(SceneView::validate(square.scene, view).ok());
-  CameraRecord camera{};
-  for (int i = 0; i < 3; ++i) camera.axes[i][i].raw = Fx30::kOne;
-  camera.eye[2] = Fx16::from_int(4);
-  camera.focal = Fx12::from_int(64);
-  camera.near_plane = Fx16::from_int(1);
-  camera.far_plane = Fx16::from_int(10);
+  const CameraRecord camera = four_units_away();
   FrameMemory<kPlain> memory;
   Frame<> frame(memory.storage());
   ASSERT_FALSE(frame.prepare(view, camera, {0, kSize}).empty());
