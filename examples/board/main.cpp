@@ -1,6 +1,7 @@
 // A lantern that turns on a board's panel: the frame one way, the flame the other. A line is computed while the one
 // before is on its way to the panel. Nothing here knows which board: its types say what its panel takes.
 #include "board.hpp"
+#include "boards/common/frame_marks.hpp"
 #include "boards/common/report.hpp"
 #include "boards/common/run_request.hpp"
 #include "core/frame/frame.hpp"
@@ -97,8 +98,10 @@ int main() {
 
   Frame<> frame(memory.storage());
   for (std::uint32_t number = 0;; ++number) {
+    frame_begin_mark();  // what counts cycles counts between the marks (docs/budget.md)
     pose(number);
     draw(frame, view, camera, panel);
+    frame_end_mark();
     // Only an emulator asks for an end.
     if (boards::request().made() && number == boards::request().last_frame) {
       boards::print("shown frame=");

@@ -40,7 +40,7 @@ function(spanline_firmware name)
   set(common ${SPANLINE_BOARDS_DIR}/common)
   set(script ${SPANLINE_LINKER_DIR}/${SPANLINE_LINKER_SCRIPT})
   list(TRANSFORM SPANLINE_BOARD_SOURCES PREPEND ${SPANLINE_BOARD_DIR}/ OUTPUT_VARIABLE board_sources)
-  add_executable(${name} ${ARGN} ${common}/startup.cpp ${common}/report.cpp ${board_sources})
+  add_executable(${name} ${ARGN} ${common}/startup.cpp ${common}/report.cpp ${common}/frame_marks.cpp ${board_sources})
   set_target_properties(${name} PROPERTIES SUFFIX .elf
     LINK_DEPENDS "${script};${SPANLINE_LINKER_DIR}/flash.ld;${SPANLINE_LINKER_DIR}/ram.ld")
   target_compile_features(${name} PRIVATE cxx_std_20)

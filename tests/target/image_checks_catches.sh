@@ -24,3 +24,5 @@ catches "float instructions" "-mcpu=cortex-m4 -mfloat-abi=hard" 'volatile float 
 catches "heap" "-mcpu=cortex-m3" 'int* volatile p; extern "C" void start() { p = new int; }'
 catches "exceptions" "-mcpu=cortex-m3" 'extern "C" void start() { throw 1; }'
 catches "exception tables" "-mcpu=cortex-m3" 'extern "C" void start() { throw 1; }'
+catches "frame marks not called" "-mcpu=cortex-m3" \
+  'extern "C" { void frame_begin_mark() { asm volatile(""); } void start() { frame_begin_mark(); } }'

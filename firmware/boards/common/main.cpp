@@ -1,5 +1,6 @@
 // The main of every board: shows a demo, each line computed while the one before is on its way to the panel.
 #include "board.hpp"
+#include "boards/common/frame_marks.hpp"
 #include "boards/common/report.hpp"
 #include "boards/common/run_request.hpp"
 #include "boards/common/stack.hpp"
@@ -76,8 +77,10 @@ void report(std::uint32_t shown) {
   demand(stage.begin(kDemo, kScreen));
   Frame<> frame(memory.storage());
   for (std::uint32_t shown = 0;; ++shown) {
+    frame_begin_mark();
     stage.show(shown);
     draw(frame, panel);
+    frame_end_mark();
     if (request().made() && shown == request().last_frame) {
       report(shown);
       board.rest();

@@ -1,5 +1,6 @@
 // The golden pictures on a target: one line a picture, and the exit status says whether all of them came out as
 // expected.
+#include "boards/common/frame_marks.hpp"
 #include "boards/common/report.hpp"
 #include "golden/golden.hpp"
 #include "hal/mcu/semihosting.hpp"
@@ -20,7 +21,9 @@ int main() {
   bool good = true;
   for (const golden::Picture& picture : golden::kPictures) {
     std::uint32_t crc = 0;
+    frame_begin_mark();
     const Status status = golden::draw(picture, memory.storage(), stage, line, crc);
+    frame_end_mark();
     const bool same = status.ok() && crc == picture.crc;
     good = good && same;
     print("golden=");

@@ -1,6 +1,7 @@
 // The frame loop that is measured, the same on the target and on the host.
 #pragma once
 
+#include "boards/common/frame_marks.hpp"
 #include "core/frame/frame.hpp"
 
 namespace spanline::target {
@@ -31,6 +32,7 @@ struct Program {
     if (!picture.status.ok()) return;
     Frame<> frame(memory.storage());
     unsigned turn = 0;
+    frame_begin_mark();
     for (Band rest{0, kBudget.height}; !rest.empty();) {
       const Band band = frame.prepare(view, camera, rest);
       if (band.empty()) break;
@@ -41,6 +43,7 @@ struct Program {
       }
       rest.top = band.bottom;
     }
+    frame_end_mark();
     picture.status = frame.status();
   }
 };
