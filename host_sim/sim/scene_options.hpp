@@ -20,6 +20,7 @@ class SceneOptions {
   bool camera_given() const { return eye_ || target_ || up_ || fov_ || near_ || far_; }
   bool size_given() const { return size_.has_value(); }
   bool light_given() const { return light_.has_value(); }
+  const std::optional<std::string>& shading() const { return shading_; }
 
  private:
   void lay_camera_over(CameraSpec& camera) const;

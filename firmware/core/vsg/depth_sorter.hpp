@@ -123,9 +123,17 @@ class DepthSorter {
       take(slot);
       if (slot.left >= slot.right) continue;
       ++active_count_;
+      note_active();
       consider(slot, left, right, box);
     }
     return true;
+  }
+
+  void note_active() {
+    if constexpr (kOptions.statistics) {
+      const auto count = static_cast<std::uint32_t>(active_count_);
+      if (count > counters_.max_active) counters_.max_active = count;
+    }
   }
 
   // More segments lie over one pixel than the active list holds: of them and the new one, the highest face is left out.

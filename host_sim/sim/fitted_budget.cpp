@@ -1,0 +1,79 @@
+#include "sim/fitted_budget.hpp"
+
+#include <algorithm>
+
+#include "assetc/input_error.hpp"
+#include "sim/engine.hpp"
+#include "sim/status_text.hpp"
+
+namespace spanline::host {
+namespace {
+
+void raise(std::uint16_t& capacity, std::uint32_t need) {
+  capacity = static_cast<std::uint16_t>(std::max<std::uint32_t>(capacity, need));
+}
+
+void widen(Budget& budget, const Statistics& need) {
+  raise(budget.facets, need.max_facets);
+  raise(budget.vertices, need.max_vertices);
+  raise(budget.polygons, need.max_polygons);
+  raise(budget.edges, need.max_edges);
+  raise(budget.segments, need.max_segments);
+  raise(budget.active, need.max_active);
+  raise(budget.samples, need.max_samples);
+  raise(budget.implied, need.max_implied);
+}
+
+bool has_gouraud(const CompiledScene& scene) {
+  const auto& all = scene.materials();
+  return std::any_of(all.begin(), all.end(), [](const MaterialRecord& m) { return m.shading == Shading::kGouraud; });
+}
+
+}  // namespace
+
+Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last) {
+  const SceneDescription& description = scene.description();
+  Budget budget{.width = description.width, .height = description.height};
+  budget.facets = budget.polygons = budget.segments = budget.active = 1;  // these cannot be empty
+  budget.vertices = budget.edges = budget.samples = budget.implied = 0;
+  budget.gouraud = has_gouraud(scene);
+
+  EngineOptions options;
+  options.width = budget.width;
+  options.height = budget.height;
+  options.observe = true;
+  const std::unique_ptr<Engine> engine = Engine::make(options);
+  Rendering rendering;
+  for (std::int64_t frame = first; frame <= last; ++frame) {
+    scene.show(frame);
+    const SceneRecord record = scene.record();
+    Status status = engine->render(validated(record, description.place), scene.camera(), rendering);
+    if (status.ok()) status = rendering.status;
+    if (!status.ok()) throw InputError(description.place, status_text(status));
+    widen(budget, rendering.statistics);
+  }
+  return budget;
+}
+
+std::string emit_budget(const Budget& budget, const std::string& name, const std::string& frames) {
+  std::string text = "// Fitted to " + frames + ": one band, every vertex projected once.\n#pragma once\n\n";
+  text += "#include \"core/frame/budget.hpp\"\n\nnamespace " + name + " {\n\n";
+  text += "inline constexpr spanline::Budget kBudget{\n";
+  const auto field = [&](const char* key, std::uint16_t value) {
+    text += std::string("    .") + key + " = " + std::to_string(value) + ",\n";
+  };
+  field("width", budget.width);
+  field("height", budget.height);
+  field("facets", budget.facets);
+  field("vertices", budget.vertices);
+  field("polygons", budget.polygons);
+  field("edges", budget.edges);
+  field("segments", budget.segments);
+  field("active", budget.active);
+  field("samples", budget.samples);
+  field("implied", budget.implied);
+  text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false") + "};\n\n}  // namespace " + name + "\n";
+  return text;
+}
+
+}  // namespace spanline::host

@@ -1,0 +1,20 @@
+// Budgets made to measure: what a scene needs is counted, not guessed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "assetc/compile.hpp"
+#include "core/frame/budget.hpp"
+
+namespace spanline::host {
+
+// The least budget that draws frames `first` to `last` of a scene at full speed, in RGB565 and at the scene's size:
+// each in one band, no vertex projected twice, no hint dropped. The scene is left at frame `last`. Throws InputError
+// with the scene's name where a frame cannot be drawn.
+Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);
+
+// A header with that budget: kBudget in namespace `name`. `frames`: what it is fitted to, for its comment.
+std::string emit_budget(const Budget& budget, const std::string& name, const std::string& frames);
+
+}  // namespace spanline::host

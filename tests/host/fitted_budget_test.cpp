@@ -1,0 +1,76 @@
+#include "sim/fitted_budget.hpp"
+
+#include <gtest/gtest.h>
+
+#include "assetc/scene_json.hpp"
+#include "sim/engine.hpp"
+#include "sim/status_text.hpp"
+
+namespace spanline::host {
+namespace {
+
+CompiledScene teapot() { return compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/S3.json")); }
+
+Rendering render_in(const CompiledScene& scene, const PoolSizes& pools) {
+  EngineOptions options;
+  options.pools = pools;
+  options.observe = true;
+  Rendering rendering;
+  const SceneRecord record = scene.record();
+  EXPECT_TRUE(Engine::make(options)->render(validated(record, "teapot"), scene.camera(), rendering).ok());
+  return rendering;
+}
+
+PoolSizes pools_of(const Budget& budget) {
+  return {budget.facets,   budget.vertices, budget.polygons, budget.edges,
+          budget.segments, budget.samples,  budget.implied};
+}
+
+TEST(FittedBudget, DrawsTheFrameInOneBandAndDropsNoHint) {
+  CompiledScene scene = teapot();
+  const Budget budget = fitted_budget(scene, 0, 0);
+  EXPECT_TRUE(budget.gouraud);
+  EXPECT_EQ(budget.vertices, scene.meshes().front().positions.size());
+  const Rendering ample = render_in(scene, {}), fitted = render_in(scene, pools_of(budget));
+  EXPECT_TRUE(fitted.status.ok());
+  EXPECT_EQ(fitted.picture.rgb, ample.picture.rgb);
+  EXPECT_EQ(fitted.statistics.bands, 1u);
+  EXPECT_EQ(fitted.statistics.samples_dropped, 0u);
+  EXPECT_EQ(fitted.statistics.implied_dropped, 0u);
+}
+
+TEST(FittedBudget, IsTheLeast) {
+  CompiledScene scene = teapot();
+  const Budget budget = fitted_budget(scene, 0, 0);
+  PoolSizes fewer_facets = pools_of(budget), fewer_segments = pools_of(budget), fewer_samples = pools_of(budget);
+  --fewer_facets.facets;
+  --fewer_segments.segments;
+  --fewer_samples.samples;
+  EXPECT_GT(render_in(scene, fewer_facets).statistics.bands, 1u);
+  EXPECT_EQ(render_in(scene, fewer_segments).status.code, Code::pool_exhausted);
+  EXPECT_GT(render_in(scene, fewer_samples).statistics.samples_dropped, 0u);
+}
+
+TEST(FittedBudget, CoversEveryFrameThatIsAskedFor) {
+  CompiledScene scene = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/clockwork.json"));
+  const Budget all = fitted_budget(scene, 0, 4);
+  for (std::int64_t frame = 0; frame <= 4; ++frame) {
+    const Budget one = fitted_budget(scene, frame, frame);
+    EXPECT_LE(one.facets, all.facets);
+    EXPECT_LE(one.segments, all.segments);
+    EXPECT_LE(one.edges, all.edges);
+  }
+}
+
+TEST(FittedBudget, IsWrittenAsAHeader) {
+  const Budget budget{.width = 64, .height = 48, .facets = 7, .gouraud = false};
+  const std::string text = emit_budget(budget, "lamp", "frame 0 of lamp");
+  EXPECT_NE(text.find("namespace lamp {"), std::string::npos);
+  EXPECT_NE(
+      text.find("inline constexpr spanline::Budget kBudget{\n    .width = 64,\n    .height = 48,\n    .facets = 7,"),
+      std::string::npos);
+  EXPECT_NE(text.find(".gouraud = false};"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spanline::host
