@@ -1,0 +1,39 @@
+# The verb `bench` of ./dev, which reads this file.
+
+bench_usage() {
+  echo "usage: ./dev bench [--scene F.json [--cpu m0plus|m3|m4] [--shading flat|gouraud]]" >&2
+  exit 2
+}
+
+bench() {
+  scene= cpus="m0plus m3 m4" shadings="flat gouraud"
+  while [ $# -ge 2 ]; do
+    case "$1" in
+      --scene) scene=$2 ;;
+      --cpu) cpus=$2 ;;
+      --shading) shadings=$2 ;;
+      *) break ;;
+    esac
+    shift 2
+  done
+  [ $# -eq 0 ] || { echo "dev bench: what is \"$1\"?" >&2; bench_usage; }
+  for cpu in $cpus; do
+    case "$cpu" in m0plus | m3 | m4) ;; *) echo "dev bench: --cpu is m0plus, m3 or m4, not \"$cpu\"" >&2; exit 2 ;; esac
+  done
+  for shading in $shadings; do
+    case "$shading" in flat | gouraud) ;; *) echo "dev bench: --shading is flat or gouraud, not \"$shading\"" >&2; exit 2 ;; esac
+  done
+  need_host_tools
+  need_cross_tools
+  need libunicorn-dev libcapstone-dev libelf-dev libbenchmark-dev
+  say "building the counting tool"
+  build host spanline-frames
+  say "frames, counted"
+  [ -n "$scene" ] && set -- "$scene" || set -- assets/scenes/S1.json assets/scenes/S3.json assets/scenes/S4.json
+  sh tests/bench/frames.sh . build/bench build/host/spanline-frames "$cpus" "$shadings" "$@"
+  echo "$(pwd)/build/bench/frames.json"
+  [ -z "$scene" ] || return 0
+  say "pieces, on this machine"
+  build host spanline_bench
+  build/host/tests/bench/spanline_bench --benchmark_counters_tabular=true
+}

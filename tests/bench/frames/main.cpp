@@ -1,0 +1,54 @@
+// Counts what frames take: `prepare` compiles scenes for tests/bench/image, `count` executes the images made of them.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "assetc/input_error.hpp"
+#include "frames/count.hpp"
+#include "sim/exit_code.hpp"
+#include "sim/output_file.hpp"
+
+namespace spanline::bench {
+namespace {
+
+// `spanline-frames count FOLDER CPU/FRAME…`: FOLDER/CPU/FRAME.elf draws what was prepared in FOLDER/frames/FRAME.
+class CountCommand {
+ public:
+  explicit CountCommand(CLI::App& app) : verb_(app.add_subcommand("count", "execute images, print and write a table")) {
+    verb_->add_option("folder", folder_, "where frames/ and the images of each core are")->required();
+    verb_->add_option("image", images_, "CPU/FRAME, as m4/S1-flat")->required();
+    verb_->add_option("--out", out_, "the JSON file")->required();
+  }
+  bool chosen() const { return verb_->parsed(); }
+
+  void run() const {
+    std::vector<FrameCount> frames;
+    for (const std::string& name : images_) {
+      const std::filesystem::path path(name);
+      const Expected expected = read_expected(folder_ + "/frames/" + path.filename().string());
+      frames.push_back(count_frame(folder_ + "/" + name + ".elf", path.parent_path().string(), expected));
+    }
+    host::write_file(out_, frames_json(frames));
+    std::cout << frames_table(frames);
+  }
+
+ private:
+  CLI::App* verb_;
+  std::string folder_, out_;
+  std::vector<std::string> images_;
+};
+
+}  // namespace
+}  // namespace spanline::bench
+
+int main(int argc, char** argv) {
+  CLI::App app{"Counts what frames take on a core."};
+  app.require_subcommand(1);
+  const spanline::bench::PrepareCommand prepare(app);
+  const spanline::bench::CountCommand count(app);
+  return spanline::host::exit_code_of(app, [&] {
+    app.parse(argc, argv);
+    if (prepare.chosen()) prepare.run();
+    if (count.chosen()) count.run();
+  });
+}

@@ -1,0 +1,77 @@
+#include "frames/prepare.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "assetc/compile.hpp"
+#include "assetc/emit_cpp.hpp"
+#include "assetc/input_error.hpp"
+#include "assetc/merge.hpp"
+#include "assetc/text_file.hpp"
+#include "sim/engine.hpp"
+#include "sim/fitted_budget.hpp"
+#include "sim/output_file.hpp"
+#include "sim/status_text.hpp"
+
+namespace spanline::bench {
+namespace {
+
+using namespace host;
+
+// The picture of the very records that the image draws.
+Expected draw(const CompiledScene& scene) {
+  Expected seen{std::filesystem::path(scene.description().place).stem().string(), "as written", 2166136261u, 0, 0, 0};
+  EngineOptions options;
+  options.width = scene.description().width;
+  options.height = scene.description().height;
+  options.observe = true;
+  options.on_line = [&seen](Slice<const std::uint8_t> line) {
+    for (const std::uint8_t byte : line) seen.checksum = (seen.checksum ^ byte) * 16777619u;
+  };
+  Rendering rendering;
+  const SceneRecord record = scene.record();
+  const SceneView view = validated(record, scene.description().place);
+  const Status status = Engine::make(options)->render(view, scene.camera(), rendering);
+  if (!status.ok()) throw InputError(scene.description().place, status_text(status));
+  seen.faces = static_cast<std::uint32_t>(table_sizes(scene).faces);
+  seen.edge_crossings = rendering.statistics.edge_crossings;
+  seen.output_segments = rendering.statistics.output_segments;
+  return seen;
+}
+
+}  // namespace
+
+PrepareCommand::PrepareCommand(CLI::App& app)
+    : verb_(app.add_subcommand("prepare", "compile a scene for an image that draws it, with a budget that fits")) {
+  scene_.add_to(*verb_);
+  verb_->add_option("--out", out_, "the folder")->required();
+}
+
+void PrepareCommand::run() const {
+  CompiledScene scene = compile(scene_.load(false));
+  scene.merge_coplanar(kMostMergedCorners);
+  const Budget budget = fitted_budget(scene, 0, 0);
+  Expected expected = draw(scene);
+  if (scene_.shading()) expected.shading = *scene_.shading();
+
+  std::filesystem::create_directories(out_);
+  write_file(out_ + "/shown.cpp", emit_source(scene, "shown", "shown.hpp"));
+  write_file(out_ + "/shown.hpp", emit_header(scene, "shown"));
+  write_file(out_ + "/budget.hpp", emit_budget(budget, "shown", "frame 0 of " + expected.scene));
+  const nlohmann::ordered_json json = {{"scene", expected.scene},
+                                       {"shading", expected.shading},
+                                       {"checksum", expected.checksum},
+                                       {"faces", expected.faces},
+                                       {"edge_crossings", expected.edge_crossings},
+                                       {"output_segments", expected.output_segments}};
+  write_file(out_ + "/expected.json", json.dump(2) + "\n");
+}
+
+Expected read_expected(const std::string& folder) {
+  const std::string path = folder + "/expected.json";
+  const nlohmann::json json = nlohmann::json::parse(read_file(path));
+  return {json.at("scene"), json.at("shading"),        json.at("checksum"),
+          json.at("faces"), json.at("edge_crossings"), json.at("output_segments")};
+}
+
+}  // namespace spanline::bench

@@ -1,0 +1,39 @@
+// A scene made ready for an image of tests/bench/image.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "sim/scene_options.hpp"
+
+namespace spanline::bench {
+
+// What is known of a frame before it is counted.
+struct Expected {
+  std::string scene;       // the scene's file, without folder and extension
+  std::string shading;     // "flat", "gouraud", or "as written"
+  std::uint32_t checksum;  // FNV-1a of the picture's bytes, as the host draws it
+  std::uint32_t faces, edge_crossings, output_segments;
+};
+
+// Throws InputError where it is not there.
+Expected read_expected(const std::string& folder);
+
+// `spanline-frames prepare SCENE --out FOLDER`: shown.cpp, shown.hpp (namespace shown: the scene's tables), budget.hpp
+// (fitted to it), expected.json.
+class PrepareCommand {
+ public:
+  explicit PrepareCommand(CLI::App& app);
+  bool chosen() const { return verb_->parsed(); }
+
+  // Throws UsageError and InputError.
+  void run() const;
+
+ private:
+  CLI::App* verb_;
+  host::SceneOptions scene_;
+  std::string out_;
+};
+
+}  // namespace spanline::bench

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "assetc/input_error.hpp"
+#include "frames/count.hpp"
+#include "frames/link_map.hpp"
+#include "frames/rivals.hpp"
+#include "sim/output_file.hpp"
+
+namespace spanline::bench {
+namespace {
+
+std::string file_with(const std::string& text) {
+  const std::string path = testing::TempDir() + "frames_test.map";
+  host::write_file(path, text);
+  return path;
+}
+
+TEST(LinkMap, CountsWhatTheEnginePlaced) {
+  const std::string path = file_with(
+      "Discarded input sections\n\n"
+      " .text.gone      0x00000000      0x999 core/libspanline_vsg.a(edge.cpp.obj)\n"
+      "Linker script and memory map\n\n"
+      ".text           0x00000000     0x4000\n"
+      " .text.startup   0x00000040       0x20 main.cpp.obj\n"
+      " .text.first     0x00000060       0x30 core/libspanline_vsg.a(edge.cpp.obj)\n"
+      " .text._ZN8spanline20a_long_name_of_its_own\n"
+      "                0x00000090       0x0c core/libspanline_frame.a(frame_plane.cpp.obj)\n"
+      "                0x00000090                spanline::a_long_name_of_its_own()\n"
+      " .rodata.table   0x0000009c        0x4 core/libspanline_fx.a(sine.cpp.obj)\n"
+      " .text           0x000000a0       0x10 /usr/lib/gcc/arm/libgcc.a(_udivsi3.o)\n"
+      " .bss.pool       0x20000000      0x100 core/libspanline_frame.a(frame_plane.cpp.obj)\n"
+      " .debug_info     0x00000000      0x500 core/libspanline_frame.a(frame_plane.cpp.obj)\n");
+  EXPECT_EQ(engine_text_bytes(path), 0x30u + 0x0c + 0x04 + 0x10);
+}
+
+TEST(LinkMap, RefusesWhatIsNone) {
+  EXPECT_THROW(engine_text_bytes(file_with("nothing\n")), host::InputError);
+  EXPECT_THROW(engine_text_bytes("no/such.map"), host::InputError);
+}
+
+TEST(Frames, StandBesideThoseWhoDrewTheSame) {
+  const std::vector<Rival> rivals = rivals_of("S3", "m4", "flat");
+  ASSERT_EQ(rivals.size(), 3u);
+  EXPECT_STREQ(rivals.front().name, "tgx");
+  EXPECT_EQ(rivals.front().thousands, 1202u);
+  EXPECT_TRUE(rivals_of("mine", "m4", "flat").empty());
+}
+
+TEST(Frames, GoIntoTheTableAndTheFile) {
+  const FrameCount frame{"m4", {"S3", "flat", 0, 992, 0, 0}, {601'000, 900'000}, 9'000, 1'280, 700, 12'000};
+  EXPECT_EQ(frames_json({frame}),
+            "[\n  {\n    \"scene\": \"S3\",\n    \"cpu\": \"m4\",\n    \"shading\": \"flat\",\n    \"instructions\": "
+            "601000,\n    \"ram_bytes\": 10980,\n    \"text_bytes\": 12000\n  }\n]\n");
+  EXPECT_NE(frames_table({frame}).find("tgx 1202 k (0.50)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spanline::bench

@@ -1,0 +1,70 @@
+// Draws one scene and prints what that took of RAM and what its picture's bytes sum to. The first frame is the one to
+// count, between the marks: its lines go to two buffers by turns, as they would with DMA, and nowhere else.
+#include "boards/common/frame_marks.hpp"
+#include "boards/common/report.hpp"
+#include "budget.hpp"
+#include "core/frame/frame.hpp"
+#include "hal/mcu/semihosting.hpp"
+#include "machine/stack.hpp"
+#include "shown.hpp"
+
+namespace spanline::bench {
+namespace {
+
+constexpr std::uint32_t kLineBytes = bytes_per_line(shown::kBudget.format, shown::kBudget.width);
+
+FrameMemory<shown::kBudget> memory;
+alignas(4) std::uint8_t lines[2][kLineBytes];
+std::uint32_t sum = 2166136261u;  // FNV-1a
+Status outcome;
+
+void add_to_sum(Slice<const std::uint8_t> line) {
+  for (const std::uint8_t byte : line) sum = (sum ^ byte) * 16777619u;
+}
+
+template <bool kSummed>
+void draw() {
+  SceneView view;
+  outcome = SceneView::validate(shown::scene, view);
+  if (!outcome.ok()) return;
+  Frame<> frame(memory.storage());
+  unsigned turn = 0;
+  frame_begin_mark();
+  for (Band rest{0, shown::kBudget.height}; !rest.empty();) {
+    const Band band = frame.prepare(view, shown::camera, rest);
+    if (band.empty()) break;
+    while (frame.next_line(lines[turn])) {
+      if constexpr (kSummed) add_to_sum(lines[turn]);
+      turn ^= 1;
+    }
+    rest.top = band.bottom;
+  }
+  frame_end_mark();
+  outcome = frame.status();
+}
+
+void print_pair(const char* key, std::uint32_t value) {
+  boards::print(key);
+  boards::print("=");
+  boards::print(value);
+  boards::print("\n");
+}
+
+}  // namespace
+}  // namespace spanline::bench
+
+int main() {
+  using namespace spanline;
+  using namespace spanline::bench;
+  const std::uint32_t stack = target::stack_used_by(draw<false>);  // the Frame lies on it
+  draw<true>();
+  print_pair("memory", sizeof memory);
+  print_pair("lines", sizeof lines);
+  print_pair("stack", stack);
+  print_pair("frame", sizeof(Frame<>));
+  print_pair("checksum", sum);
+  boards::print("status=");
+  boards::print(outcome.ok() ? "ok" : outcome.where);
+  boards::print("\n");
+  hal::semihosting::leave(outcome.ok() ? 0 : 1);
+}
