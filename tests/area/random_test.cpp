@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kAll = 50000, kSlice = 3000;
 
-std::uint64_t pairs_to_look_at() { return std::getenv("SPANLINE_FULL") != nullptr ? kAll : kSlice; }
+std::uint64_t pairs_to_look_at() { return std::getenv("SPANLINE_FULL") != nullptr ? kAll : oracle::rounds(kSlice); }
 
 bool same(const Polygons& a, const Polygons& b) {
   const Polygons one = canonical(a), other = canonical(b);

@@ -74,10 +74,12 @@ void walk_curves(std::uint64_t first_seed, int walks) {
   }
 }
 
-TEST(ForwardDifferences, AMillionWalksAreExactIn32Bits) { walk_curves<std::int32_t, 9 + 4, 6>(1, 1'000'000); }
+TEST(ForwardDifferences, AMillionWalksAreExactIn32Bits) {
+  walk_curves<std::int32_t, 9 + 4, 6>(1, oracle::rounds(1'000'000));
+}
 TEST(ForwardDifferences, FinerSubpixelsAndWiderScreensAreExact) {
-  walk_curves<std::int32_t, 9 + 8, 4>(2, 100'000);
-  walk_curves<std::int32_t, 10 + 4, 5>(3, 100'000);
+  walk_curves<std::int32_t, 9 + 8, 4>(2, oracle::rounds(100'000));
+  walk_curves<std::int32_t, 10 + 4, 5>(3, oracle::rounds(100'000));
   walk_curves<std::int64_t, 17, 15>(4, 20);  // 2^15 steps each
 }
 
@@ -115,15 +117,15 @@ void walk_surfaces(std::uint64_t first_seed, int walks) {
 }
 
 TEST(ForwardDifferences, SurfaceWalksAreExactIn64Bits) {
-  walk_surfaces<9 + 4, 8, 8>(10, 20'000);
-  walk_surfaces<9 + 4, 6, 10>(11, 20'000);
-  walk_surfaces<9 + 8, 7, 8>(12, 20'000);
-  walk_surfaces<10 + 4, 12, 4>(13, 20'000);
+  walk_surfaces<9 + 4, 8, 8>(10, oracle::rounds(20'000));
+  walk_surfaces<9 + 4, 6, 10>(11, oracle::rounds(20'000));
+  walk_surfaces<9 + 8, 7, 8>(12, oracle::rounds(20'000));
+  walk_surfaces<10 + 4, 12, 4>(13, oracle::rounds(20'000));
 }
 
 TEST(ForwardDifferences, DoublingUndoesHalving) {
   Random random(20);
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < oracle::rounds(10'000); ++i) {
     const std::int32_t p[4] = {any_coordinate<13>(random), any_coordinate<13>(random), any_coordinate<13>(random),
                                any_coordinate<13>(random)};
     const auto start = CurveFormat<std::int32_t, 13, 6>::start(p);
@@ -136,7 +138,7 @@ TEST(ForwardDifferences, DoublingUndoesHalving) {
 
 TEST(ForwardDifferences, TheHalvesOfASplitMeetInTheSameInteger) {
   Random random(30);
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < oracle::rounds(10'000); ++i) {
     const std::int32_t p[4] = {any_coordinate<13>(random), any_coordinate<13>(random), any_coordinate<13>(random),
                                any_coordinate<13>(random)};
     auto whole = CurveFormat<std::int32_t, 13, 6>::start(p);  // its first quarter is one step long
@@ -155,7 +157,7 @@ TEST(ForwardDifferences, TheHalvesOfASplitMeetInTheSameInteger) {
 
 TEST(ForwardDifferences, NeighboursThatShareAnEndMeetThereFromBothSides) {
   Random random(40);
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < oracle::rounds(10'000); ++i) {
     std::int32_t a[4], b[4];
     for (std::int32_t& point : a) point = any_coordinate<13>(random);
     for (std::int32_t& point : b) point = any_coordinate<13>(random);

@@ -7,9 +7,9 @@ namespace {
 
 TEST(Bits, MulHighCutsTowardsMinusInfinity) {
   EXPECT_EQ(mul_high(std::int32_t{1} << 16, std::int32_t{1} << 16), 1);
-  EXPECT_EQ(mul_high(-1, 1), -1);
+  EXPECT_EQ(mul_high(std::int32_t{-1}, std::int32_t{1}), -1);
   EXPECT_EQ(mul_high(INT32_MIN, INT32_MIN), 1 << 30);
-  EXPECT_EQ(mul_high(0xffffffffu, 0xffffffffu), 0xfffffffeu);
+  EXPECT_EQ(mul_high(std::uint32_t{0xffffffffu}, std::uint32_t{0xffffffffu}), 0xfffffffeu);
 }
 
 TEST(Bits, ShiftRoundTakesHalvesUpwards) {

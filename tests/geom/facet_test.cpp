@@ -89,7 +89,7 @@ bool is_seen(const EyePoint& p, const EyePoint& q, const CameraRecord& camera) {
 
 TEST(Facet, AnEdgeOfTwoFacesClipsToIdenticalVertices) {
   int clipped = 0;
-  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+  for (std::uint64_t seed = 0; seed < oracle::rounds(6000u); ++seed) {
     oracle::Random random(seed);
     const CameraRecord camera = oracle::random_camera_scene(seed).camera;
     const auto position = [&random] {
@@ -110,11 +110,11 @@ TEST(Facet, AnEdgeOfTwoFacesClipsToIdenticalVertices) {
     ASSERT_EQ(second.size(), 1u) << seed;
     EXPECT_GE(common_vertices(first[0], second[0]), 2) << seed;
   }
-  EXPECT_GT(clipped, 500);
+  EXPECT_GT(clipped, oracle::rounds(500));
 }
 
 TEST(Facet, VerticesStayInTheGuardBandAndInTheDepthRange) {
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+  for (std::uint64_t seed = 0; seed < oracle::rounds(500u); ++seed) {
     oracle::CameraScene space = oracle::random_camera_scene(seed);
     Reading reading(space.scene, space.camera);
     for (std::uint16_t face = 0; face < reading.view().face_count(); ++face) {
@@ -197,7 +197,7 @@ TEST(Facet, ScreenFacetsAreHandedOutAsTheyAre) {
 }
 
 TEST(Facet, TheCacheChangesNothing) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < oracle::rounds(200u); ++seed) {
     oracle::CameraScene space = oracle::random_camera_scene(seed);
     const SceneRecord record = space.scene.record();
     SceneView scene;

@@ -30,7 +30,7 @@ struct Corners {
 
 TEST(Projection, IsTheNearestSixteenthOrItsNeighbour) {
   int compared = 0;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < oracle::rounds(3000u); ++seed) {
     oracle::CameraScene space = oracle::random_camera_scene(seed);
     const SceneRecord record = space.scene.record();
     SceneView scene;
@@ -57,7 +57,7 @@ TEST(Projection, IsTheNearestSixteenthOrItsNeighbour) {
       }
     }
   }
-  EXPECT_GT(compared, 10000);
+  EXPECT_GT(compared, oracle::rounds(10000));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "oracle/facet.hpp"
+
 namespace spanline::oracle {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): an alias takes no __extension__
@@ -14,8 +16,6 @@ struct Depth {
   Wide numerator = 0;
   std::int64_t denominator = 1;  // > 0
 };
-
-inline constexpr std::int64_t kMaxDepth = std::int64_t{1} << 26;
 
 // Sign of a - b.
 constexpr int compare_depths(const Depth& a, const Depth& b) {

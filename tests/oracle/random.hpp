@@ -5,6 +5,20 @@
 
 namespace spanline::oracle {
 
+// How many of `all` rounds a random test makes: a share of them, never none, where SPANLINE_ROUNDS_SHARE says so, as on
+// an emulated microcontroller.
+#ifdef SPANLINE_ROUNDS_SHARE
+template <typename Count>
+constexpr Count rounds(Count all) {
+  return (all - 1) / SPANLINE_ROUNDS_SHARE + 1;
+}
+#else
+template <typename Count>
+constexpr Count rounds(Count all) {
+  return all;
+}
+#endif
+
 // splitmix64 (Steele, Lea, Flood 2014): any seed is good, consecutive seeds too.
 class Random {
  public:

@@ -6,20 +6,10 @@
 #include <vector>
 
 #include "oracle/depth.hpp"
+#include "oracle/facet.hpp"
 #include "oracle/picture.hpp"
 
 namespace spanline::oracle {
-
-struct Vertex {
-  int x, y;        // 1/16 px, y down, -32768 … 32767
-  std::int64_t z;  // 1/256 of a --screen depth unit, larger is nearer, |z| <= kMaxDepth
-};
-
-// Regions are even-odd over all contours.
-struct Facet {
-  std::uint32_t face;
-  std::vector<std::vector<Vertex>> contours;
-};
 
 // A facet that covers a pixel centre, with its depth there.
 struct Candidate {

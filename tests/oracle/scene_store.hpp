@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/format.hpp"
-#include "oracle/renderer.hpp"
+#include "oracle/facet.hpp"
 
 namespace spanline::oracle {
 
