@@ -1,6 +1,7 @@
 // The boards of firmware/boards and the panel of each.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,9 @@ namespace spanline::host {
 
 struct Board {
   const char* name;
-  Screen panel;
+  const char* panel;      // the name of its driver as --panel takes it; null where it exists for an emulator only
+  std::uint8_t rotation;  // 0 to 3
+  Screen screen;          // what that is to the engine
 };
 
 const std::vector<Board>& boards();

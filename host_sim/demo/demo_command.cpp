@@ -30,8 +30,8 @@ void require(bool ok, const Status& status, const std::string& name) {
   if (!ok) throw InputError(name, status_text(status));
 }
 
-// Frame `frame` in the pools that the board has, too.
-Rendering draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame) {
+// Frame `frame` in the pools that the board has, too; through `panel`, where there is one.
+Picture draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame, PanelOutput* panel) {
   demos::Stage stage;
   const Status status = stage.begin(demo, screen);
   require(status.ok(), status, demo.name);
@@ -41,20 +41,26 @@ Rendering draw(const demos::Demo& demo, const Screen& screen, std::uint32_t fram
   options.height = screen.height;
   options.format = screen.format;
   options.pools = pools_of(demo.budget);
+  if (panel != nullptr) {
+    options.on_line = [panel](Slice<const std::uint8_t> wire) { panel->line(wire); };
+    panel->begin_frame();
+  }
   Rendering rendering;
   const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
   require(drawn.ok(), drawn, demo.name);
-  return rendering;
+  require(rendering.status.ok(), rendering.status, demo.name);
+  return panel != nullptr ? panel->finish_frame() : rendering.picture;
 }
 
 }  // namespace
 
 DemoCommand::DemoCommand(CLI::App& app)
-    : verb_(app.add_subcommand("demo", "draw a firmware's demo as its board shows it")) {
+    : verb_(app.add_subcommand("demo", "draw a firmware's demo as its board shows it: through its panel's driver")) {
   verb_->add_option("NAME", name_, "which demo: see --list");
   verb_->add_option("--board", board_, "the board whose panel it is framed for");
   verb_->add_option("--frame", frame_, "which frame (default: 0)");
   verb_->add_option("--out", out_, "the picture, .png or .ppm");
+  panel_.add_to(*verb_);
   verb_->add_flag("--list", list_, "print the names of the demos, one a line");
 }
 
@@ -65,14 +71,32 @@ void DemoCommand::run() const {
   }
   if (!name_) throw UsageError("NAME is required; --list prints the demos");
   const demos::Layouts& demo = find_demo(*name_);
-  if (!board_) throw UsageError("--board is required");
-  const Screen& panel = find_board(*board_).panel;
   if (!out_) throw UsageError("--out is required");
   check_picture_path(*out_);
   const std::int64_t frame = frame_ ? parse_integer("--frame", *frame_, 0, UINT32_MAX) : 0;
-  const Rendering rendering = draw(demo.framed_for(panel), panel, static_cast<std::uint32_t>(frame));
-  require(rendering.status.ok(), rendering.status, *name_);
-  write_picture(*out_, rendering.picture);
+  const Shown shown = this->shown();
+  const Picture picture =
+      draw(demo.framed_for(shown.screen), shown.screen, static_cast<std::uint32_t>(frame), shown.panel.get());
+  write_picture(*out_, picture);
+  if (shown.panel) panel_.save_log(*shown.panel);
+}
+
+DemoCommand::Shown DemoCommand::shown() const {
+  if (board_ && (panel_.panel_given() || panel_.rotation_given())) {
+    throw UsageError("--panel and --rotation: the board has its own panel; leave --board out");
+  }
+  if (panel_.panel_given()) {
+    std::unique_ptr<PanelOutput> panel = panel_.make();
+    const Screen screen{panel->width(), panel->height(), panel->format()};
+    return {std::move(panel), screen};
+  }
+  if (!board_) throw UsageError("--board or --panel is required");
+  const Board& board = find_board(*board_);
+  if (board.panel == nullptr) {
+    if (panel_.log_given()) throw UsageError("--spi-log: " + *board_ + " has no panel, it exists for an emulator only");
+    return {nullptr, board.screen};
+  }
+  return {panel_.make(board.panel, board.rotation), board.screen};
 }
 
 }  // namespace spanline::host

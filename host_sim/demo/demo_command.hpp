@@ -1,8 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
+
+#include "core/geom/screen.hpp"
+#include "sim/panel_options.hpp"
 
 namespace spanline::host {
 
@@ -16,9 +20,16 @@ class DemoCommand {
   void run() const;
 
  private:
+  struct Shown {
+    std::unique_ptr<PanelOutput> panel;  // null where the board exists for an emulator only
+    Screen screen;
+  };
+  Shown shown() const;
+
   CLI::App* verb_;
   bool list_ = false;
   std::optional<std::string> name_, board_, frame_, out_;
+  PanelOptions panel_;
 };
 
 }  // namespace spanline::host

@@ -56,25 +56,18 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
                     "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices");
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");
-  verb_->add_option(
-      "--panel", panel_,
-      "send the picture through this panel's driver and show what its controller makes of the bytes: "
-      "ili9341, st7789, st7789-240x240, st7789-135x240, gc9a01, ili9488, st7796, ssd0323, ssd1325, ssd1327, "
-      "ssd1306");
-  verb_->add_option("--rotation", rotation_, "of the panel, in quarter turns: 0 (default) to 3");
-  verb_->add_option(
-      "--spi-log", spi_log_,
-      "the bytes sent to the panel, two by two: 0 command, 1 data, 2 chip select, 3 reset, then the value");
+  panel_.add_to(*verb_);
   verb_->footer(kFooter);
 }
 
 void RenderCommand::check_outputs() const {
-  if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !spi_log_) {
+  if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !panel_.log_given()) {
     throw UsageError("nothing to do: give --out, --ids, --depth, --stats, --expect or --spi-log");
   }
-  if (!panel_ && (rotation_ || spi_log_)) throw UsageError("--rotation and --spi-log need --panel");
-  if (panel_ && scene_.size_given()) throw UsageError("--size: the panel's size is the picture's");
-  if (panel_ && format_) throw UsageError("--format: the panel's pixels are the picture's");
+  if (!panel_.panel_given() && (panel_.rotation_given() || panel_.log_given()))
+    throw UsageError("--rotation and --spi-log need --panel");
+  if (panel_.panel_given() && scene_.size_given()) throw UsageError("--size: the panel's size is the picture's");
+  if (panel_.panel_given() && format_) throw UsageError("--format: the panel's pixels are the picture's");
   if (out_) check_picture_path(*out_);
   if (expect_ && !png_available()) throw UsageError("--expect: this build has no libpng to read PNG files");
   if (expect_ && frames_) throw UsageError("--expect compares one picture: choose it with --frame");
@@ -90,15 +83,6 @@ RenderCommand::Frames RenderCommand::frames() const {
     range.numbered = true;
   }
   return range;
-}
-
-// Null without --panel.
-std::unique_ptr<PanelOutput> RenderCommand::panel() const {
-  if (!panel_) return nullptr;
-  const std::int64_t rotation = rotation_ ? parse_integer("--rotation", *rotation_, 0, 3) : 0;
-  auto panel = std::make_unique<PanelOutput>(*panel_, static_cast<int>(rotation));
-  if (spi_log_) panel->keep_log();
-  return panel;
 }
 
 SceneDescription RenderCommand::description(const PanelOutput* panel) const {
@@ -169,7 +153,7 @@ void RenderCommand::compare_with_expected(const Picture& picture) const {
 void RenderCommand::run() const {
   check_outputs();
   const Frames range = frames();
-  const std::unique_ptr<PanelOutput> panel = this->panel();
+  const std::unique_ptr<PanelOutput> panel = panel_.panel_given() ? panel_.make() : nullptr;
   CompiledScene scene = compile(description(panel.get()));
   EngineOptions options = engine_options(scene.description());
   if (panel) {
@@ -194,10 +178,7 @@ void RenderCommand::run() const {
     write_outputs(rendering, counts, options.pools, range, frame);
     progress.step();
   }
-  if (spi_log_) {
-    const std::vector<std::uint8_t>& log = panel->log();
-    write_file(*spi_log_, {reinterpret_cast<const char*>(log.data()), log.size()});
-  }
+  if (panel) panel_.save_log(*panel);
   if (expect_) compare_with_expected(rendering.picture);
 }
 

@@ -8,7 +8,7 @@
 
 #include "assetc/compile.hpp"
 #include "sim/engine.hpp"
-#include "sim/panel_output.hpp"
+#include "sim/panel_options.hpp"
 #include "sim/scene_options.hpp"
 #include "sim/stats_json.hpp"
 
@@ -31,7 +31,6 @@ class RenderCommand {
 
   void check_outputs() const;
   Frames frames() const;
-  std::unique_ptr<PanelOutput> panel() const;
   SceneDescription description(const PanelOutput* panel) const;
   EngineOptions engine_options(const SceneDescription& scene) const;
   void write_outputs(const Rendering& rendering, const SceneCounts& counts, const PoolSizes& pools, const Frames& range,
@@ -42,7 +41,7 @@ class RenderCommand {
   SceneOptions scene_;
   bool on_screen_ = false;
   std::optional<std::string> out_, ids_, depth_, stats_, expect_;
-  std::optional<std::string> panel_, rotation_, spi_log_;
+  PanelOptions panel_;
   std::optional<std::string> frame_, frames_, comparator_, walker_, bands_, pools_, format_;
 };
 

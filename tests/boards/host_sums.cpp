@@ -52,7 +52,7 @@ Status draw(demos::Stage& stage, const Screen& screen, std::uint32_t number, boo
 }
 
 int run(const std::string& name, const std::string& board, std::uint32_t last) {
-  const Screen screen = find_board(board).panel;
+  const Screen screen = find_board(board).screen;
   demos::Stage stage;
   for (const demos::Layouts* layouts : demos::kAll) {
     const demos::Demo& demo = layouts->framed_for(screen);

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <set>
 
+#include "assetc/text_file.hpp"
 #include "demo/boards.hpp"
 #include "host/support.hpp"
+#include "panel/panel_run.hpp"
 #include "sim/picture.hpp"
 
 namespace spanline::host {
@@ -45,6 +47,37 @@ TEST(DemoVerb, DrawsForThePanelOfTheBoard) {
   const Picture picture = read_png(out);
   EXPECT_EQ(picture.width, 240);
   EXPECT_EQ(picture.height, 320);
+}
+
+// The stream that the panel's model decodes into the picture is the one that --spi-log keeps.
+TEST(DemoVerb, GoesThroughTheDriverOfTheBoard) {
+  const TemporaryFolder folder;
+  const ToolRun run = run_tool(
+      {"demo", "cubes", "--board", "ek-lm3s6965", "--out", folder.file("a.ppm"), "--spi-log", folder.file("log")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string log = read_file(folder.file("log"));
+  EXPECT_NE(log.find(std::string("\0\x15\0\0\0\x3F\0\x75\0\0\0\x3F\1", 13)), std::string::npos);
+  const ToolRun none =
+      run_tool({"demo", "cubes", "--board", "microbit", "--out", folder.file("a.ppm"), "--spi-log", folder.file("no")});
+  EXPECT_EQ(none.exit_code, 2);
+}
+
+TEST(DemoVerb, GoesThroughAnyPanelTurnedAnyWay) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("a.ppm");
+  for (const std::string& panel : panel_names()) {
+    for (const char* demo : {"teapot", "cubes", "gears", "gauges"}) {
+      const ToolRun run = run_tool({"demo", demo, "--panel", panel, "--rotation", "2", "--frame", "3", "--out", out});
+      EXPECT_EQ(run.exit_code, 0) << panel << " " << demo << ": " << run.err;
+    }
+  }
+  const ToolRun quarter = run_tool({"demo", "gears", "--panel", "st7789", "--rotation", "1", "--out", out});
+  ASSERT_EQ(quarter.exit_code, 0) << quarter.err;
+  const ToolRun board = run_tool({"demo", "gears", "--board", "pico", "--out", folder.file("b.ppm")});
+  ASSERT_EQ(board.exit_code, 0) << board.err;
+  EXPECT_EQ(read_file(out), read_file(folder.file("b.ppm")));
+  EXPECT_EQ(run_tool({"demo", "gears", "--panel", "ssd1306", "--rotation", "1", "--out", out}).exit_code, 2);
+  EXPECT_EQ(run_tool({"demo", "gears", "--panel", "st7789", "--board", "pico", "--out", out}).exit_code, 2);
 }
 
 TEST(DemoVerb, KnowsEveryBoardOfTheFirmware) {
