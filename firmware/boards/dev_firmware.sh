@@ -113,29 +113,6 @@ flash() {
   build_board "$board" "$demo"
   # shellcheck disable=SC1090  # written by the build
   . "build/firmware/$board/board.sh"
-  image=build/firmware/$board/$demo
-  if [ -n "$openocd" ]; then
-    need openocd
-    openocd -f "$openocd" -c "program $image.elf verify reset exit"
-  elif [ -n "$uf2" ]; then
-    flash_uf2 "$image"
-  else
-    echo "dev flash: $board exists in the emulator only: ./dev emulate $board" >&2
-    exit 2
-  fi
-}
-
-# flash_uf2 IMAGE: by picotool, or as a copy to the drive that a Pico in boot mode shows.
-flash_uf2() {
-  if command -v picotool > /dev/null; then
-    picotool load -x "$1.uf2"
-    return
-  fi
-  drive=$(findmnt -rn -o TARGET -S LABEL=RPI-RP2 || :)
-  if [ -z "$drive" ]; then
-    echo "dev flash: no picotool and no drive RPI-RP2: hold BOOTSEL while plugging in the Pico, mount the drive" >&2
-    exit 1
-  fi
-  cp "$1.uf2" "$drive/"
-  sync
+  [ -z "$openocd" ] || command -v openocd > /dev/null || need openocd
+  sh firmware/boards/flash.sh "build/firmware/$board" "$demo"
 }

@@ -12,13 +12,18 @@ class Pl022Model {
  public:
   explicit Pl022Model(std::uint32_t base) : base_(base) {}
 
+  std::uint8_t answer = 0xFF;  // what every byte that is received is
+
   bool owns(std::uint32_t address) const { return address >= base_ && address < base_ + 0x28; }
   std::uint32_t state_register() const { return base_ + 0x0C; }
   const std::vector<std::uint8_t>& wire() const { return wire_; }
   std::uint32_t control0() const { return control0_; }
 
   std::uint32_t get(std::uint32_t address) {
-    if (address - base_ == 0x08 && received_ != 0) --received_;
+    if (address - base_ == 0x08) {
+      if (received_ != 0) --received_;
+      return answer;
+    }
     if (address - base_ == 0x0C) return kTransmitEmpty | kNotFull | (received_ != 0 ? kReceived : 0);
     return 0;
   }

@@ -5,6 +5,7 @@
 #include "hal/contract/dma_channel.hpp"
 #include "hal/contract/out_pin.hpp"
 #include "hal/contract/spi_bus.hpp"
+#include "hal/contract/spi_reads.hpp"
 #include "hal/mcu/rp2040/spi.hpp"
 
 namespace spanline::hal {
@@ -94,6 +95,21 @@ class Rig {
   Pin<FakeIo, 20> pin_;
 };
 
+class ReadingRig {
+ public:
+  ReadingRig() {
+    EXPECT_EQ(bus_.begin(), Fault::none);
+    bus_.set_clock(62'500'000);
+  }
+  auto& bus() { return bus_; }
+  void answer(std::uint8_t byte) { device_.spi.answer = byte; }
+  void mute() { device_.stick_low(device_.spi.state_register(), 4); }
+
+ private:
+  Rp2040 device_;
+  Spi0<FakeIo, 18, 19, 16> bus_;
+};
+
 class DmaRig {
  public:
   DmaRig() { device_.dma_by_itself = false; }
@@ -108,8 +124,11 @@ class DmaRig {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Rp2040, SpiBusContract, Rig);
+INSTANTIATE_TYPED_TEST_SUITE_P(Rp2040, SpiReadsContract, ReadingRig);
 INSTANTIATE_TYPED_TEST_SUITE_P(Rp2040, OutPinContract, Rig);
 INSTANTIATE_TYPED_TEST_SUITE_P(Rp2040, DmaChannelContract, DmaRig);
+
+static_assert(SpiReads<Spi0<FakeIo, 18, 19, 16>> && !SpiReads<Spi0<FakeIo, 18, 19>>);
 
 TEST(Rp2040Clock, EndsAt125MHz) {
   Rp2040 device;

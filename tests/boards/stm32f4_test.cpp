@@ -4,6 +4,7 @@
 #include "hal/contract/dma_channel.hpp"
 #include "hal/contract/out_pin.hpp"
 #include "hal/contract/spi_bus.hpp"
+#include "hal/contract/spi_reads.hpp"
 #include "hal/mcu/stm32f4/spi.hpp"
 
 namespace spanline::hal {
@@ -14,12 +15,14 @@ using namespace stm32f4;
 constexpr std::uint32_t kControl = 0x40023800, kConfig = 0x40023808, kPower = 0x40007000, kPowerState = 0x40007004;
 constexpr std::uint32_t kSpi = 0x40015000, kSpiState = kSpi + 0x08, kSpiData = kSpi + 0x0C;
 constexpr std::uint32_t kStream4 = 0x40026400 + 0x10 + 0x18 * 4, kHighFlags = 0x40026404, kClearHighFlags = 0x4002640C;
-constexpr std::uint32_t kEmpty = 2, kBusy = 1u << 7;
+constexpr std::uint32_t kReceived = 1, kEmpty = 2, kBusy = 1u << 7;
+constexpr std::uint32_t kEnable = 1u << 6, kOneLine = 1u << 15, kDrive = 1u << 14;
 
 class Stm32f4 : public FakeDevice {
  public:
   bool dma_by_itself = true;  // a transfer completes while it is waited for
   std::vector<std::uint8_t> wire;
+  std::uint8_t answer = 0xFF;  // what every byte that is received is
 
   std::uint32_t word(std::uint32_t address) { return words_[address]; }
   void finish() {
@@ -39,17 +42,28 @@ class Stm32f4 : public FakeDevice {
     }
     if (address == kPowerState) return words_[kPower] & (3u << 16);
     if (address == kConfig) return words_[kConfig] | (words_[kConfig] & 3) << 2;
-    if (address == kSpiState) return kEmpty;
+    if (address == kSpiState) return kEmpty | (received_ || listens() ? kReceived : 0);
+    if (address == kSpiData) {
+      received_ = false;
+      return answer;
+    }
     if (address == kStream4 && dma_by_itself && ++polls_ % 5 == 0) finish();
     return words_[address];
   }
   void set(std::uint32_t address, std::uint32_t value) override {
-    if (address == kSpiData) wire.push_back(static_cast<std::uint8_t>(value));
+    if (address == kSpiData) {
+      wire.push_back(static_cast<std::uint8_t>(value));
+      received_ = (words_[kSpi] & kOneLine) == 0;
+    }
     if (address == kClearHighFlags) words_[kHighFlags] &= ~value;
     if (address == 0x40020C18) words_[0x40020C14] = (words_[0x40020C14] | (value & 0xFFFF)) & ~(value >> 16);
     words_[address] = value;
   }
+  // On one line and not driving it: the clock runs, byte after byte comes in.
+  bool listens() { return (words_[kSpi] & (kOneLine | kDrive | kEnable)) == (kOneLine | kEnable); }
+
   unsigned polls_ = 0;
+  bool received_ = false;
 };
 
 using Bus = Spi<FakeIo, SpiWiring{kSpi, Rcc<FakeIo>::kSpi5, 4, 2, 'F', 7, 'F', 9}, kF429At180MHz>;
@@ -77,6 +91,25 @@ class Rig {
   Pin<FakeIo, 'D', 13> pin_;
 };
 
+constexpr SpiWiring kOwnPin{kSpi, Rcc<FakeIo>::kSpi5, 4, 2, 'F', 7, 'F', 9, Answer::own_pin, 'F', 8};
+constexpr SpiWiring kDataLine{kSpi, Rcc<FakeIo>::kSpi5, 4, 2, 'F', 7, 'F', 9, Answer::data_line};
+
+template <SpiWiring kWiring>
+class ReadingRig {
+ public:
+  ReadingRig() {
+    bus_.begin();
+    bus_.set_clock(40'000'000);
+  }
+  auto& bus() { return bus_; }
+  void answer(std::uint8_t byte) { device_.answer = byte; }
+  void mute() { device_.stick_low(kSpiState, kReceived); }
+
+ private:
+  Stm32f4 device_;
+  Spi<FakeIo, kWiring, kF429At180MHz> bus_;
+};
+
 class DmaRig {
  public:
   DmaRig() { device_.dma_by_itself = false; }
@@ -91,6 +124,8 @@ class DmaRig {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32f4, SpiBusContract, Rig);
+INSTANTIATE_TYPED_TEST_SUITE_P(Stm32f4OwnPin, SpiReadsContract, ReadingRig<kOwnPin>);
+INSTANTIATE_TYPED_TEST_SUITE_P(Stm32f4DataLine, SpiReadsContract, ReadingRig<kDataLine>);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32f4, OutPinContract, Rig);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32f4, DmaChannelContract, DmaRig);
 
@@ -178,6 +213,17 @@ TEST(Stm32f4Spi, ABusThatStaysBusyIsAFault) {
   EXPECT_EQ(bus.write(bytes), Fault::spi_timeout);
   EXPECT_EQ(bus.start(bytes), Fault::none);
   EXPECT_EQ(bus.wait(), Fault::spi_timeout);
+}
+
+TEST(Stm32f4Spi, AfterAnAnswerOnTheDataLineItDrivesTheLineAgain) {
+  Stm32f4 device;
+  Spi<FakeIo, kDataLine, kF429At180MHz> bus;
+  bus.set_clock(5'000'000);
+  const std::uint32_t before = device.word(kSpi);
+  std::uint8_t came[1] = {};
+  EXPECT_EQ(bus.read(came), Fault::none);
+  EXPECT_EQ(device.word(kSpi), before);
+  EXPECT_TRUE(device.wire.empty()) << "nothing is sent while the panel speaks";
 }
 
 TEST(Stm32f4Spi, ClockAndMode) {

@@ -60,6 +60,20 @@ class Pl022 {
     return finish();
   }
 
+  // Sends ones and keeps what comes in meanwhile.
+  Fault read(Slice<std::uint8_t> answer) {
+    const Fault fault = finish();
+    if (fault != Fault::none) return fault;
+    for (std::uint8_t& byte : answer) {
+      Data::set(0xFF);
+      const Fault received =
+          wait_for([] { return State::any(kReceived); }, polls_for(2 * cycles_per_byte_), Fault::spi_timeout);
+      if (received != Fault::none) return received;
+      byte = static_cast<std::uint8_t>(Data::get());
+    }
+    return Fault::none;
+  }
+
   // Ends when the last bit has left. The receive FIFO is emptied: full, it stops some implementations for good.
   Fault finish() {
     const Fault fault =

@@ -28,6 +28,12 @@ class Pin {
     Pad::set(kFastSlew | kDrive12mA);
     Control::set(function);
   }
+  // As an input of its peripheral, pulled up: a line that nobody drives reads as ones.
+  static void begin_input(std::uint32_t function) {
+    constexpr std::uint32_t kInputEnable = 1u << 6, kPullUp = 1u << 3;
+    Pad::set(kInputEnable | kPullUp);
+    Control::set(function);
+  }
   void set(bool level) { write(level); }
 
  private:

@@ -12,6 +12,7 @@ class Pin {
   static constexpr std::uint32_t kBase = 0x40020000 + 0x400 * kIndex;
   using Mode = Register<Io, kBase + 0x00>;
   using Speed = Register<Io, kBase + 0x08>;
+  using Pull = Register<Io, kBase + 0x0C>;
   using SetReset = Register<Io, kBase + 0x18>;
   using Function = Register<Io, kBase + (kNumber < 8 ? 0x20 : 0x24)>;
   static constexpr std::uint32_t kTwoBits = 2 * kNumber, kFourBits = 4 * (kNumber % 8);
@@ -31,6 +32,8 @@ class Pin {
     Speed::raise(3u << kTwoBits);
     Mode::replace(3u << kTwoBits, kAlternate << kTwoBits);
   }
+  // A line that nobody drives reads as ones.
+  static void pull_up() { Pull::replace(3u << kTwoBits, 1u << kTwoBits); }
   void set(bool level) { write(level); }
 
  private:

@@ -13,7 +13,8 @@ class SpiPort {
   using Control2 = Register<Io, kBase + 0x04>;
   using State = Register<Io, kBase + 0x08>;
   static constexpr std::uint32_t kMaster = 1u << 2, kEnable = 1u << 6, kSelectHigh = 3u << 8, kTransmitDma = 1u << 1;
-  static constexpr std::uint32_t kEmpty = 1u << 1, kBusy = 1u << 7;
+  static constexpr std::uint32_t kReceived = 1, kEmpty = 1u << 1, kBusy = 1u << 7;
+  static constexpr std::uint32_t kOneLine = 1u << 15, kDrive = 1u << 14;
 
  public:
   using Data = Register<Io, kBase + 0x0C>;
@@ -27,7 +28,8 @@ class SpiPort {
     while (power < 7 && bus_hz >> (power + 1) > hz) ++power;
     Control1::set(0);
     Control2::set(kTransmitDma);
-    Control1::set(kSelectHigh | power << 3 | kMaster | kEnable | mode_);
+    control_ = kSelectHigh | power << 3 | kMaster | kEnable | mode_;
+    Control1::set(control_);
     cycles_per_byte_ = (8 * kPerBus) << (power + 1);
     return bus_hz >> (power + 1);
   }
@@ -41,6 +43,38 @@ class SpiPort {
       Data::set(byte);
     }
     return finish();
+  }
+
+  // By a line of its own: sends ones and keeps what comes in meanwhile.
+  Fault read(Slice<std::uint8_t> answer) {
+    const Fault fault = finish();
+    if (fault != Fault::none) return fault;
+    for (std::uint8_t& byte : answer) {
+      Data::set(0xFF);
+      const Fault came = take(byte);
+      if (came != Fault::none) return came;
+    }
+    return finish();
+  }
+
+  // By the data line, which turns round: the clock runs from the moment that the port listens until it is switched off.
+  // What comes after the last byte is dropped; the panel is deselected then.
+  Fault read_data_line(Slice<std::uint8_t> answer) {
+    Fault fault = finish();
+    if (fault != Fault::none) return fault;
+    Control1::set(control_ & ~kEnable);
+    Control1::set(control_ | kOneLine);
+    for (std::uint8_t& byte : answer) {
+      fault = take(byte);
+      if (fault != Fault::none) break;
+    }
+    Control1::set(control_ | kOneLine | kDrive);  // no more clocks
+    const Fault idle = wait_for([] { return !State::any(kBusy); }, polls_for(2 * cycles_per_byte_), Fault::spi_timeout);
+    Control1::set(control_ & ~kEnable);
+    Control1::set(control_);
+    static_cast<void>(Data::get());
+    static_cast<void>(State::get());
+    return fault != Fault::none ? fault : idle;
   }
 
   // Ends when the last bit has left. What was received meanwhile nobody wants: reading data, then state, clears its
@@ -60,9 +94,20 @@ class SpiPort {
     return wait_for([] { return State::any(kEmpty); }, polls_for(2 * cycles_per_byte_), Fault::spi_timeout);
   }
 
+  Fault take(std::uint8_t& byte) const {
+    const Fault fault =
+        wait_for([] { return State::any(kReceived); }, polls_for(2 * cycles_per_byte_), Fault::spi_timeout);
+    if (fault == Fault::none) byte = static_cast<std::uint8_t>(Data::get());
+    return fault;
+  }
+
   std::uint32_t cycles_per_byte_ = 8 * kPerBus * 256;
+  std::uint32_t control_ = kSelectHigh | kMaster | kEnable;
   std::uint8_t mode_ = 0;
 };
+
+// How the panel's answers come back: not at all, on a pin of their own, or on the data line, turned round.
+enum class Answer : std::uint8_t { none, own_pin, data_line };
 
 // What distinguishes one port from another.
 struct SpiWiring {
@@ -73,9 +118,12 @@ struct SpiWiring {
   unsigned clock_pin;
   char data_port;
   unsigned data_pin;
+  Answer answer = Answer::none;
+  char answer_port = 'A';  // of own_pin
+  unsigned answer_pin = 0;
 };
 
-// An SPI on APB2 with its DMA2 stream: an SpiBus.
+// An SPI on APB2 with its DMA2 stream: an SpiBus, and one that reads where the wiring has a way for answers.
 template <RegisterIo Io, SpiWiring kWiring, ClockPlan kPlan>
 class Spi {
   using Port = SpiPort<Io, kWiring.base, kPlan.hz() / kPlan.apb2_hz()>;
@@ -88,10 +136,21 @@ class Spi {
     R::template open<typename R::Apb2>(kWiring.gate);
     Pin<Io, kWiring.clock_port, kWiring.clock_pin>::begin_function(kFunction);
     Pin<Io, kWiring.data_port, kWiring.data_pin>::begin_function(kFunction);
+    if constexpr (kWiring.answer == Answer::own_pin) {
+      using Input = Pin<Io, kWiring.answer_port, kWiring.answer_pin>;
+      Input::begin_function(kFunction);
+      Input::pull_up();
+    } else if constexpr (kWiring.answer == Answer::data_line) {
+      Pin<Io, kWiring.data_port, kWiring.data_pin>::pull_up();
+    }
   }
   void set_mode(std::uint8_t mode) { port_.set_mode(mode); }
   std::uint32_t set_clock(std::uint32_t hz) { return port_.set_clock(kPlan.apb2_hz(), hz); }
   Fault write(Slice<const std::uint8_t> bytes) { return port_.write(bytes); }
+  Fault read(Slice<std::uint8_t> answer) requires(kWiring.answer != Answer::none) {
+    if constexpr (kWiring.answer == Answer::data_line) return port_.read_data_line(answer);
+    return port_.read(answer);
+  }
   Fault start(Slice<const std::uint8_t> bytes) { return transfer_.start(dma_, bytes); }
   Fault wait() { return transfer_.wait(dma_, port_); }
 
