@@ -9,6 +9,8 @@
 #include "budget/budget.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
+#include "sim/picture.hpp"
+#include "sim/usage_error.hpp"
 
 namespace spanline::host {
 namespace {
@@ -54,17 +56,21 @@ struct McuVerbs::Verbs {
   CLI::App* run_verb;
   CLI::App* budget_verb;
   RunArguments run, budget;
-  std::optional<std::string> json, notes;
+  std::optional<std::string> out, json, notes;
   bool no_stack = false;
 
   void do_run() {
     const BoardDescription& board = board_named(run.board);
     const Image image = run.open();
+    if (out) check_picture_path(*out);
+    if (out && !board.panel) throw UsageError("--out: " + std::string(board.name) + " has no panel that is modelled");
     const RunReport report = run_image(image, board, run.options);
     std::cout << report.output;
+    if (out) write_picture(*out, report.panel->picture);
     std::cerr << "spanline: " << report.end << " after " << report.total.instructions << " instructions\n";
     if (report.exit_code != 0)
       throw InputError(image.path(), "the image ended with " + std::to_string(report.exit_code));
+    if (report.panel && !report.panel->complaints.empty()) throw InputError(image.path(), report.panel->complaints.front());
   }
 
   void do_budget() {
@@ -90,6 +96,7 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
   Verbs& v = *verbs_;
   v.run_verb = app.add_subcommand("run", "run the image of a board, instruction by instruction");
   v.run.add_to(*v.run_verb);
+  v.run_verb->add_option("--out", v.out, "what the panel shows at the end, .png or .ppm");
   v.budget_verb = app.add_subcommand("budget", "memory, stack, instructions and core cycles of a board's image");
   v.budget.add_to(*v.budget_verb);
   v.budget_verb->add_option("--from", v.budget.options.from, "count from this symbol to --until only");

@@ -15,17 +15,18 @@ struct CycleModel::Rules {
   std::uint8_t branch, call, exchange_lr, exchange, move_pc, add_pc, compare_branch, load_pc, table_branch;
   std::uint8_t special;  // MRS, MSR
   std::uint8_t barrier;
-  std::uint8_t io_port;  // a load or store at the single-cycle I/O port, 0: there is none
+  std::uint8_t exception;  // entry; the return is about as long
+  std::uint8_t io_port;    // a load or store at the single-cycle I/O port, 0: there is none
 };
 
 const CycleModel::Rules& CycleModel::rules_of(Core core) {
   // clang-format off
-  //                          over- mul mla long   b  bl bxlr bx mov add cbz ldr tbb spec bar io
+  //                          over- mul mla long   b  bl bxlr bx mov add cbz ldr tbb spec bar exc io
   //                          laps           mul               pc  pc      pc
-  static constexpr Rules kM0     {false, 1, 1, false, 2, 3, 2, 2, 2, 2, 0, 3, 0, 4, 4, 0};
-  static constexpr Rules kM0plus {false, 1, 1, false, 1, 2, 1, 1, 1, 1, 0, 2, 0, 3, 3, 1};
-  static constexpr Rules kM3     {true,  1, 2, true,  1, 1, 1, 2, 2, 3, 2, 3, 4, 2, 4, 0};
-  static constexpr Rules kM4     {true,  1, 1, false, 1, 1, 1, 2, 2, 3, 2, 3, 4, 2, 4, 0};
+  static constexpr Rules kM0     {false, 1, 1, false, 2, 3, 2, 2, 2, 2, 0, 3, 0, 4, 4, 16, 0};
+  static constexpr Rules kM0plus {false, 1, 1, false, 1, 2, 1, 1, 1, 1, 0, 2, 0, 3, 3, 15, 1};
+  static constexpr Rules kM3     {true,  1, 2, true,  1, 1, 1, 2, 2, 3, 2, 3, 4, 2, 4, 12, 0};
+  static constexpr Rules kM4     {true,  1, 1, false, 1, 1, 1, 2, 2, 3, 2, 3, 4, 2, 4, 12, 0};
   // clang-format on
   switch (core) {
     case Core::m0:
@@ -199,6 +200,8 @@ unsigned CycleModel::step(const Instruction& now, const Execution& how) {
   previous_cycles_ = cycles;
   return cycles;
 }
+
+unsigned CycleModel::enter_exception() const { return rules_.exception; }
 
 unsigned CycleModel::skip() {
   previous_ = Instruction{};

@@ -27,6 +27,9 @@ class CycleModel {
   // Cycles of the next instruction executed. Order matters: neighbours overlap.
   unsigned step(const Instruction& now, const Execution& how);
 
+  // Cycles from an interrupt to its handler's first instruction.
+  unsigned enter_exception() const;
+
   // Cycles of an instruction that its IT block skips.
   unsigned skip();
 

@@ -15,8 +15,8 @@ void DecodedCode::turn_to(std::uint32_t number) {
 std::int32_t DecodedCode::decode(std::uint32_t address, std::uint16_t first, std::uint16_t second) {
   const int function = image_.function_at(address);
   const std::size_t owner = function < 0 ? image_.functions().size() : static_cast<std::size_t>(function);
-  entries_.push_back(
-      std::make_unique<Entry>(Entry{decoder_.decode(address, first, second), static_cast<std::uint32_t>(owner)}));
+  entries_.push_back(std::make_unique<Entry>(
+      Entry{decoder_.decode(address, first, second), static_cast<std::uint32_t>(owner), places_.at(address)}));
   return static_cast<std::int32_t>(entries_.size()) - 1;
 }
 

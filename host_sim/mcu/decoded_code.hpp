@@ -9,6 +9,7 @@
 
 #include "mcu/decoder.hpp"
 #include "mcu/image.hpp"
+#include "mcu/places.hpp"
 
 namespace spanline::host {
 
@@ -18,9 +19,10 @@ class DecodedCode {
   struct Entry {
     Instruction insn;
     std::uint32_t function = 0;  // index of Image::functions(), or their number
+    std::uint32_t place = 0;     // of places()
   };
 
-  DecodedCode(const Image& image, Core core) : image_(image), decoder_(core) {}
+  DecodedCode(const Image& image, Core core) : image_(image), decoder_(core), places_(image) {}
 
   // `read`: the halfword at an address.
   template <typename Read>
@@ -32,6 +34,8 @@ class DecodedCode {
     }
     return *entries_[static_cast<std::size_t>(slot)];
   }
+
+  const Places& places() const { return places_; }
 
  private:
   static constexpr std::uint32_t kPageBytes = 4096;
@@ -48,6 +52,7 @@ class DecodedCode {
 
   const Image& image_;
   Decoder decoder_;
+  Places places_;
   std::unordered_map<std::uint32_t, std::unique_ptr<Page>> pages_;
   std::uint32_t last_number_ = UINT32_MAX;
   Page* last_page_ = nullptr;

@@ -2,11 +2,17 @@
 
 #include <unicorn/unicorn.h>
 
+#include <algorithm>
+#include <deque>
 #include <optional>
+#include <set>
 
 #include "assetc/input_error.hpp"
+#include "mcu/chip.hpp"
+#include "mcu/core_state.hpp"
 #include "mcu/cycle_model.hpp"
 #include "mcu/decoded_code.hpp"
+#include "mcu/ledger.hpp"
 #include "mcu/semihosting.hpp"
 #include "mcu/system_registers.hpp"
 
@@ -16,6 +22,7 @@ namespace {
 constexpr std::uint16_t kSemihosting = 0xBEAB;
 constexpr std::uint32_t kNowhere = 1;  // odd: no instruction lies there
 constexpr std::uint64_t kNeverReached = 0xFFFF'FFFE;
+constexpr std::uint32_t kPage = 0x1000;
 
 // Of QEMU's target/arm/cpu.h.
 enum Exception : std::uint32_t { kUndefined = 1, kSupervisorCall = 2, kBreakpoint = 7, kExceptionReturn = 8 };
@@ -23,91 +30,123 @@ enum Exception : std::uint32_t { kUndefined = 1, kSupervisorCall = 2, kBreakpoin
 class Machine {
  public:
   Machine(const Image& image, const BoardDescription& board, const RunOptions& options);
-  ~Machine() { uc_close(uc_); }
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
   RunReport run();
 
  private:
+  // A range of registers that the core sees.
+  struct Window {
+    Machine* machine;
+    std::uint32_t base;
+  };
+
   void map_memory();
+  void map_registers(std::uint32_t base, std::uint32_t bytes);
   void add_hooks();
+  void find_marks();
+  StartState reset();
   const DecodedCode::Entry& decoded(std::uint32_t address);
   void on_code(std::uint32_t address);
-  void on_access(std::uint32_t address, std::uint32_t size);
+  void on_access(bool write, std::uint32_t address, std::uint32_t size);
   void on_interrupt(std::uint32_t number);
+  std::uint32_t read_register(std::uint32_t address, unsigned size);
+  void write_register(std::uint32_t address, unsigned size, std::uint32_t value);
+  Peripheral* device_at(std::uint32_t address, unsigned size, const char* verb);
   void settle(std::uint32_t next, std::uint8_t next_size);
-  void charge(std::uint32_t function, unsigned cycles);
+  bool serve_events(std::uint32_t address);
+  void plan_events();
   void semihost();
   void enter_marks(std::uint32_t address);
-  void finish_passage();
+  void end_frame();
   void watch_stack(std::uint32_t address);
   void end(const std::string& why);
   void fail(const std::string& what);
-  std::uint32_t reg(int id) const;
-  std::uint32_t core_reg(unsigned number) const;
-  std::string registers() const;
-  std::uint64_t now() const { return model_ ? total_.cycles : total_.instructions; }
+  void fill_report(const StartState& start);
+  std::uint64_t now() const { return model_ ? ledger_.total().time() : ledger_.total().instructions; }
   std::string place(std::uint32_t address) const { return hex(address) + " in " + image_.name_at(address); }
 
   const Image& image_;
   const BoardDescription& board_;
   const RunOptions& options_;
-  uc_engine* uc_ = nullptr;
+  CoreState core_;
+  std::unique_ptr<Chip> chip_;
+  MemoryTiming no_timing_;
+  MemoryTiming& timing_;
   std::optional<CycleModel> model_;
   SystemRegisters system_;
   DecodedCode code_;
-  std::uint32_t from_ = kNowhere, until_ = kNowhere;
+  Ledger ledger_;
+  WaitFinder waits_;
+  std::optional<FrameRecorder> frames_;
+  std::deque<Window> windows_;
+  std::uint32_t vectors_ = 0;
+  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere;
   bool counting_ = true, ended_ = false;
   const DecodedCode::Entry* current_ = nullptr;
   std::uint32_t current_address_ = 0, block_end_ = 0;
+  std::uint64_t next_event_ = 0;
+  unsigned stall_ = 0;
   Execution how_;
   bool sp_changed_ = true;
-  Count total_, begin_;
-  std::vector<Count> functions_, functions_at_begin_;
   std::uint32_t lowest_sp_ = 0, deepest_at_ = 0;
   std::string failure_;
   RunReport report_;
 };
 
 Machine::Machine(const Image& image, const BoardDescription& board, const RunOptions& options)
-    : image_(image), board_(board), options_(options), code_(image, board.core) {
+    : image_(image),
+      board_(board),
+      options_(options),
+      chip_(make_chip(board, [this](std::uint32_t address) { return core_.byte(address); })),
+      timing_(chip_ ? chip_->memory() : no_timing_),
+      code_(image, board.core),
+      ledger_(image.functions().size()) {
   if (has_cycle_model(board.core)) model_.emplace(board.core);
-  if (!options.from.empty()) from_ = image.address_of(options.from) & ~1u;
-  if (!options.until.empty()) until_ = image.address_of(options.until) & ~1u;
   counting_ = options.from.empty();
-  functions_.resize(image.functions().size() + 1);
-  functions_at_begin_ = functions_;
-  report_.functions = functions_;
-  if (uc_open(UC_ARCH_ARM, static_cast<uc_mode>(UC_MODE_THUMB | UC_MODE_MCLASS), &uc_) != UC_ERR_OK) {
-    throw std::runtime_error("unicorn has no Cortex-M");
-  }
+  find_marks();
   map_memory();
   add_hooks();
+}
+
+void Machine::find_marks() {
+  if (!options_.from.empty()) from_ = image_.address_of(options_.from) & ~1u;
+  if (!options_.until.empty()) until_ = image_.address_of(options_.until) & ~1u;
+  if (!board_.panel || !image_.has_symbol(kFrameBeginMark) || !image_.has_symbol(kFrameEndMark)) return;
+  frame_begin_ = image_.address_of(kFrameBeginMark) & ~1u;
+  frame_end_ = image_.address_of(kFrameEndMark) & ~1u;
+  frames_.emplace(board_.screen.height, bytes_per_line(board_.screen.format, board_.screen.width));
+}
+
+void Machine::map_registers(std::uint32_t base, std::uint32_t bytes) {
+  const auto read = [](uc_engine*, std::uint64_t offset, unsigned size, void* data) -> std::uint64_t {
+    const Window& window = *static_cast<const Window*>(data);
+    return window.machine->read_register(window.base + static_cast<std::uint32_t>(offset), size);
+  };
+  const auto write = [](uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* data) {
+    const Window& window = *static_cast<const Window*>(data);
+    window.machine->write_register(window.base + static_cast<std::uint32_t>(offset), size,
+                                   static_cast<std::uint32_t>(value));
+  };
+  windows_.push_back({this, base});
+  uc_mmio_map(core_.engine(), base, bytes, read, &windows_.back(), write, &windows_.back());
 }
 
 void Machine::map_memory() {
   for (const BoardDescription::Memory& memory : board_.memories) {
     const std::uint32_t rights = memory.flash ? UC_PROT_READ | UC_PROT_EXEC : UC_PROT_ALL;
-    uc_mem_map(uc_, memory.base, memory.size, rights);
+    uc_mem_map(core_.engine(), memory.base, memory.size, rights);
   }
   for (const Image::Segment& segment : image_.segments()) {
-    uc_mem_write(uc_, segment.load_address, segment.bytes.data(), segment.bytes.size());
+    core_.write(segment.load_address, static_cast<std::uint32_t>(segment.bytes.size()), segment.bytes.data());
   }
-  const auto read = [](uc_engine*, std::uint64_t offset, unsigned, void* self) -> std::uint64_t {
-    Machine& machine = *static_cast<Machine*>(self);
-    const std::uint32_t address = SystemRegisters::kBase + static_cast<std::uint32_t>(offset);
-    const std::optional<std::uint32_t> value = machine.system_.read(address, machine.now());
-    if (!value) machine.fail("reads the register " + hex(address) + ", which is not modelled");
-    return value.value_or(0);
-  };
-  const auto write = [](uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
-    Machine& machine = *static_cast<Machine*>(self);
-    const std::uint32_t address = SystemRegisters::kBase + static_cast<std::uint32_t>(offset);
-    if (!machine.system_.write(address, static_cast<std::uint32_t>(value), machine.now())) {
-      machine.fail("writes the register " + hex(address) + ", which is not modelled");
-    }
-  };
-  uc_mmio_map(uc_, SystemRegisters::kBase, SystemRegisters::kBytes, read, this, write, this);
+  map_registers(SystemRegisters::kBase, SystemRegisters::kBytes);
+  if (!chip_) return;
+  std::set<std::uint32_t> pages;
+  for (const std::unique_ptr<Peripheral>& peripheral : chip_->peripherals()) {
+    pages.insert(peripheral->base() / kPage);
+  }
+  for (const std::uint32_t page : pages) map_registers(page * kPage, kPage);
 }
 
 void Machine::add_hooks() {
@@ -118,8 +157,9 @@ void Machine::add_hooks() {
   const OnCode code = [](uc_engine*, std::uint64_t address, std::uint32_t, void* self) {
     static_cast<Machine*>(self)->on_code(static_cast<std::uint32_t>(address));
   };
-  const OnAccess access = [](uc_engine*, uc_mem_type, std::uint64_t address, int size, std::int64_t, void* self) {
-    static_cast<Machine*>(self)->on_access(static_cast<std::uint32_t>(address), static_cast<std::uint32_t>(size));
+  const OnAccess access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t, void* self) {
+    static_cast<Machine*>(self)->on_access(type == UC_MEM_WRITE, static_cast<std::uint32_t>(address),
+                                           static_cast<std::uint32_t>(size));
   };
   const OnMissing missing = [](uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* self) {
     const bool write = type == UC_MEM_WRITE_UNMAPPED || type == UC_MEM_WRITE_PROT;
@@ -138,7 +178,8 @@ void Machine::add_hooks() {
   // The library takes any function pointer as void*; a hook of an empty range concerns all addresses.
   uc_hook hook = 0;
   const auto add = [&](int type, auto callback) {
-    uc_hook_add(uc_, &hook, type, reinterpret_cast<void*>(callback), this, std::uint64_t{1}, std::uint64_t{0});
+    uc_hook_add(core_.engine(), &hook, type, reinterpret_cast<void*>(callback), this, std::uint64_t{1},
+                std::uint64_t{0});
   };
   add(UC_HOOK_CODE, code);
   add(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, access);
@@ -146,52 +187,91 @@ void Machine::add_hooks() {
   add(UC_HOOK_INTR, interrupt);
 }
 
-std::uint32_t Machine::reg(int id) const {
-  std::uint32_t value = 0;
-  uc_reg_read(uc_, id, &value);
-  return value;
-}
-
-std::uint32_t Machine::core_reg(unsigned number) const {
-  if (number <= 12) return reg(UC_ARM_REG_R0 + static_cast<int>(number));
-  return reg(number == 13 ? UC_ARM_REG_SP : number == 14 ? UC_ARM_REG_LR : UC_ARM_REG_PC);
-}
-
-std::string Machine::registers() const {
-  std::string text;
-  for (unsigned i = 0; i < 15; ++i) {
-    text += (i == 0 ? "" : " ") +
-            (i == 13   ? std::string("sp")
-             : i == 14 ? "lr"
-                       : "r" + std::to_string(i)) +
-            "=" + hex(core_reg(i));
-  }
-  return text + " xpsr=" + hex(reg(UC_ARM_REG_XPSR));
-}
-
 void Machine::end(const std::string& why) {
   if (!ended_) report_.end = why;
   ended_ = true;
-  uc_emu_stop(uc_);
+  uc_emu_stop(core_.engine());
 }
 
 void Machine::fail(const std::string& what) {
-  if (failure_.empty()) failure_ = what + ", at " + place(current_address_) + "; " + registers();
+  if (failure_.empty()) failure_ = what + ", at " + place(current_address_) + "; " + core_.registers();
   end("fault");
 }
 
-const DecodedCode::Entry& Machine::decoded(std::uint32_t address) {
-  return code_.at(address, [&](std::uint32_t from) {
-    std::uint16_t half = 0;
-    uc_mem_read(uc_, from, &half, sizeof half);
-    return half;
-  });
+Peripheral* Machine::device_at(std::uint32_t address, unsigned size, const char* verb) {
+  Peripheral* const device = chip_ ? chip_->peripheral_at(address) : nullptr;
+  const std::string name = std::string(verb) + " the register " + hex(address);
+  if (device == nullptr) {
+    fail(name + ", which is not modelled");
+  } else if (!device->alive()) {
+    fail(name + " of " + device->name() + ", which has no clock or is in reset");
+  } else if (size != 4 || address % 4 != 0) {
+    fail(name + " by " + std::to_string(size) + " bytes, words are modelled");
+  } else {
+    chip_->advance(now());
+    return device;
+  }
+  return nullptr;
 }
 
-void Machine::charge(std::uint32_t function, unsigned cycles) {
-  const Count one{1, cycles};
-  total_ += one;
-  functions_[function] += one;
+std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {
+  std::optional<std::uint32_t> value;
+  if (address - SystemRegisters::kBase < SystemRegisters::kBytes) {
+    value = system_.read(address, now());
+  } else if (Peripheral* const device = device_at(address, size, "reads")) {
+    value = device->read(address - device->base());
+  }
+  if (!value) fail("reads the register " + hex(address) + ", which is not modelled");
+  const std::optional<WaitFinder::Wait> wait = waits_.asked(current_address_, now());
+  if (wait && current_ != nullptr) {
+    ledger_.charge_waiting(*current_, wait->end - wait->begin);
+    if (frames_) frames_->waited(wait->begin, wait->end);
+  }
+  return value.value_or(0);
+}
+
+void Machine::write_register(std::uint32_t address, unsigned size, std::uint32_t value) {
+  bool known = false;
+  if (address - SystemRegisters::kBase < SystemRegisters::kBytes) {
+    known = system_.write(address, value, now());
+  } else if (Peripheral* const device = device_at(address, size, "writes")) {
+    known = device->write(address - device->base(), value);
+    if (frames_) frames_->gave(chip_->pixels_given(), ledger_.total());
+  }
+  if (!known) fail("writes the register " + hex(address) + ", which is not modelled");
+  plan_events();
+}
+
+void Machine::plan_events() {
+  next_event_ = system_.next_tick();
+  if (chip_) next_event_ = std::min(next_event_, chip_->next_event());
+}
+
+// True where an interrupt is taken before the instruction at `address`.
+bool Machine::serve_events(std::uint32_t address) {
+  if (chip_) {
+    chip_->advance(now());
+    if (frames_) frames_->gave(chip_->pixels_given(), ledger_.total());
+  }
+  const bool between_blocks = address >= block_end_ || address < current_address_;
+  const bool tick =
+      system_.next_tick() <= now() && between_blocks && !core_.in_exception() && !core_.interrupts_masked();
+  if (tick) {
+    constexpr std::uint32_t kTickVector = 15 * 4;
+    std::uint32_t handler = 0;
+    core_.read((system_.vectors() != 0 ? system_.vectors() : vectors_) + kTickVector, sizeof handler, &handler);
+    system_.take_tick(now());
+    core_.enter_exception(handler & ~1u, address);
+    ledger_.calls().interrupt();
+    if (model_) ledger_.charge(decoded(handler & ~1u), {0, model_->enter_exception(), 0, 0});
+    sp_changed_ = true;
+  }
+  plan_events();
+  return tick;
+}
+
+const DecodedCode::Entry& Machine::decoded(std::uint32_t address) {
+  return code_.at(address, [&](std::uint32_t from) { return core_.halfword(from); });
 }
 
 // The instruction before is over: where it went tells what it cost.
@@ -203,40 +283,48 @@ void Machine::settle(std::uint32_t next, std::uint8_t next_size) {
   how_.taken = next != expected && insn.writes_pc;
   how_.next = next;
   how_.next_size = next_size;
-  charge(current_->function, model_ ? model_->step(insn, how_) : 0);
+  ledger_.charge(*current_, {1, model_ ? model_->step(insn, how_) : 0, stall_, 0});
   if (!insn.known) ++report_.unknown;
   // Hooks are not called for what an IT block skips, but it is executed as far as time is concerned.
   while (!insn.writes_pc && expected < next && next <= block_end_) {
     const DecodedCode::Entry& skipped = decoded(expected);
-    charge(skipped.function, model_ ? model_->skip() : 0);
+    ledger_.charge(skipped, {1, model_ ? model_->skip() : 0, 0, 0});
     expected += skipped.insn.size;
+  }
+  if (how_.taken) {
+    if (insn.links) {
+      ledger_.calls().call(expected);
+    } else if (!insn.direct || next < expected || next - expected > kPage) {
+      ledger_.calls().jump(next);
+    }
   }
   current_ = nullptr;
 }
 
 void Machine::watch_stack(std::uint32_t address) {
-  const std::uint32_t sp = reg(UC_ARM_REG_SP);
+  const std::uint32_t sp = core_.reg(CoreState::kSp);
   if (sp >= lowest_sp_) return;
   lowest_sp_ = sp;
   deepest_at_ = address;
 }
 
-void Machine::finish_passage() {
-  counting_ = false;
-  report_.passages.push_back(total_ - begin_);
-  for (std::size_t i = 0; i < functions_.size(); ++i) report_.functions[i] += functions_[i] - functions_at_begin_[i];
+void Machine::end_frame() {
+  chip_->advance(now());
+  frames_->end_frame(ledger_.total(), chip_->wire().bytes());
 }
 
 void Machine::enter_marks(std::uint32_t address) {
   if (address == until_ && counting_) {
-    finish_passage();
-    if (options_.from.empty() || report_.passages.size() == options_.passages) end("reached " + options_.until);
+    counting_ = false;
+    ledger_.end();
+    if (options_.from.empty() || ledger_.passages().size() == options_.passages) end("reached " + options_.until);
   }
   if (address == from_ && !counting_ && !ended_) {
     counting_ = true;
-    begin_ = total_;
-    functions_at_begin_ = functions_;
+    ledger_.begin();
   }
+  if (address == frame_begin_) frames_->begin_frame(ledger_.total());
+  if (address == frame_end_) end_frame();
 }
 
 void Machine::on_code(std::uint32_t address) {
@@ -246,16 +334,19 @@ void Machine::on_code(std::uint32_t address) {
   const std::uint32_t before = current_address_;
   settle(address, insn.size);
   if (sp_changed_) watch_stack(before);
+  if (now() >= next_event_ && serve_events(address)) return;
   current_address_ = address;
   enter_marks(address);
   if (ended_) return;
+  ledger_.calls().at(here.place, code_.places().frames(here.place));
   current_ = &here;
   sp_changed_ = insn.writes_sp();
   how_ = Execution{};
+  stall_ = timing_.fetch(address, now());
   if (!insn.supported) return fail(std::string("executes an instruction that a ") + name(board_.core) + " lacks");
   if (insn.kind >= Kind::long_multiply && insn.kind <= Kind::divide_signed && model_) {
-    how_.a = core_reg(insn.a);
-    how_.b = core_reg(insn.b);
+    how_.a = core_.reg(insn.a);
+    how_.b = core_.reg(insn.b);
   }
   if (insn.kind == Kind::if_then) {
     block_end_ = address + insn.size;
@@ -263,13 +354,18 @@ void Machine::on_code(std::uint32_t address) {
   }
   if (insn.kind == Kind::branch && insn.direct && insn.target == address) return end("spins at " + place(address));
   if (insn.waits) return end("waits for an interrupt at " + place(address));
-  if (total_.instructions >= options_.limit) {
+  if (ledger_.total().instructions >= options_.limit) {
     fail("has not stopped after " + std::to_string(options_.limit) + " instructions");
   }
 }
 
-void Machine::on_access(std::uint32_t address, std::uint32_t size) {
+void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
   if (current_ == nullptr) return;
+  if (write) {
+    waits_.stored();
+  } else {
+    stall_ += timing_.read(address);
+  }
   if (how_.data_size == 0) {
     how_.data_address = address;
     how_.data_size = static_cast<std::uint8_t>(size);
@@ -282,68 +378,90 @@ void Machine::on_access(std::uint32_t address, std::uint32_t size) {
 }
 
 void Machine::semihost() {
-  const auto read = [&](std::uint32_t address) -> std::optional<std::uint8_t> {
-    std::uint8_t byte = 0;
-    return uc_mem_read(uc_, address, &byte, 1) == UC_ERR_OK ? std::optional(byte) : std::nullopt;
-  };
-  const std::uint32_t operation = reg(UC_ARM_REG_R0);
-  const std::uint64_t microseconds = now() * 1000 / board_.kilohertz;
-  const SemihostingAnswer answer =
-      answer_semihosting(operation, reg(UC_ARM_REG_R1), read, microseconds, report_.output);
+  const std::uint32_t operation = core_.reg(0);
+  const std::uint64_t microseconds = chip_ ? chip_->clock().ns_at(now()) / 1000 : now() * 1000 / board_.kilohertz;
+  const SemihostingAnswer answer = answer_semihosting(
+      operation, core_.reg(1), [this](std::uint32_t address) { return core_.byte(address); }, microseconds,
+      report_.output);
   if (!answer.known) return fail("asks for the semihosting operation " + hex(operation) + ", which is not modelled");
   if (answer.exit_code) {
     report_.exit_code = *answer.exit_code;
     return end("exit " + std::to_string(*answer.exit_code));
   }
-  uc_reg_write(uc_, UC_ARM_REG_R0, &answer.r0);
-  const std::uint32_t next = (current_address_ + 2) | 1;
-  uc_reg_write(uc_, UC_ARM_REG_PC, &next);
+  core_.set_reg(0, answer.r0);
+  core_.go_to(current_address_ + 2);
 }
 
 void Machine::on_interrupt(std::uint32_t number) {
   if (ended_) return;
+  if (number == kExceptionReturn && core_.in_exception()) {
+    core_.leave_exception();
+    ledger_.calls().resume();
+    sp_changed_ = true;
+    return;
+  }
   if (number == kBreakpoint) {
-    std::uint16_t code = 0;
-    uc_mem_read(uc_, current_address_, &code, sizeof code);
-    return code == kSemihosting ? semihost() : end("BKPT at " + place(current_address_));
+    return core_.halfword(current_address_) == kSemihosting ? semihost() : end("BKPT at " + place(current_address_));
   }
   if (number == kSupervisorCall) return end("SVC at " + place(current_address_));
   fail(number == kUndefined ? "executes an undefined instruction" : "raises the exception " + std::to_string(number));
 }
 
-RunReport Machine::run() {
-  const StartState start = start_of(image_, board_);
-  uc_reg_write(uc_, UC_ARM_REG_SP, &start.sp);
+// A second-stage boot runs as the boot ROM leaves it: copied to the end of RAM, and nobody to return to.
+StartState Machine::reset() {
+  StartState start = start_of(image_, board_);
+  vectors_ = start.vectors;
+  core_.set_reg(CoreState::kSp, start.sp);
+  core_.set_reg(CoreState::kLr, start.boots_by == 0 ? UINT32_MAX : 0);
+  if (start.boots_by == 0) return start;
+  std::uint8_t boot[kSecondStageBoot];
+  const BoardDescription::Memory& ram = board_.memories.back();
+  const std::uint32_t to = ram.base + ram.size - kSecondStageBoot;
+  image_.read(start.boots_by, sizeof boot, boot);
+  core_.write(to, sizeof boot, boot);
+  core_.set_reg(CoreState::kSp, to);
+  start.pc = to;
+  return start;
+}
+
+void Machine::fill_report(const StartState& start) {
+  report_.passages = ledger_.passages();
+  report_.functions = ledger_.functions();
+  for (const Count& passage : report_.passages) report_.total += passage;
   report_.initial_sp = start.sp;
-  for (const auto& [address, value] : options_.words) uc_mem_write(uc_, address, &value, sizeof value);
+  report_.stack_reached = start.sp - lowest_sp_;
+  report_.stack_deepest = image_.name_at(deepest_at_);
+  report_.calls = ledger_.calls();
+  report_.places = code_.places().all();
+  if (frames_) report_.frames = frames_->frames();
+  if (!chip_) return;
+  const DisplayWire& wire = chip_->wire();
+  report_.panel = PanelReport{wire.picture(), wire.complaints(), wire.hz(), wire.bytes().size(), chip_->dma_bytes()};
+  const std::vector<std::string>& more = chip_->complaints();
+  report_.panel->complaints.insert(report_.panel->complaints.end(), more.begin(), more.end());
+}
+
+RunReport Machine::run() {
+  const StartState start = reset();
+  for (const auto& [address, value] : options_.words) core_.write(address, sizeof value, &value);
   lowest_sp_ = start.sp;
-  deepest_at_ = start.pc;
-  current_address_ = start.pc;
-  const uc_err error = uc_emu_start(uc_, start.pc | 1, kNeverReached, 0, 0);
+  deepest_at_ = current_address_ = start.pc;
+  plan_events();
+  const uc_err error = uc_emu_start(core_.engine(), start.pc | 1, kNeverReached, 0, 0);
   if (failure_.empty() && !ended_) fail(std::string("stops: ") + uc_strerror(error));
   if (!failure_.empty()) throw InputError(image_.path(), failure_);
   settle(current_address_, 2);
-  if (until_ == kNowhere && counting_) finish_passage();
-  if (report_.passages.empty()) {
+  if (until_ == kNowhere && counting_) ledger_.end();
+  if (ledger_.passages().empty()) {
     throw InputError(image_.path(), "does not reach " +
                                         (options_.until.empty() || !counting_ ? options_.from : options_.until) + ": " +
                                         report_.end);
   }
-  for (const Count& passage : report_.passages) report_.total += passage;
-  report_.stack_reached = start.sp - lowest_sp_;
-  report_.stack_deepest = image_.name_at(deepest_at_);
+  fill_report(start);
   return report_;
 }
 
 }  // namespace
-
-Count& Count::operator+=(const Count& other) {
-  instructions += other.instructions;
-  cycles += other.cycles;
-  return *this;
-}
-
-Count Count::operator-(const Count& other) const { return {instructions - other.instructions, cycles - other.cycles}; }
 
 RunReport run_image(const Image& image, const BoardDescription& board, const RunOptions& options) {
   Machine machine(image, board, options);

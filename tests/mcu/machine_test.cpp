@@ -87,6 +87,38 @@ TEST(Machine, SaysWhereAnImageFaults) {
   EXPECT_NE(fault({0xDE00, 0xBE00}).find("at 0x00000040 in reset"), std::string::npos);  // udf
 }
 
+// An image in the flash of a board whose peripherals are modelled.
+std::string fault_on(const char* board, std::uint32_t flash, const std::vector<std::uint16_t>& code) {
+  TinyElf elf;
+  elf.base = flash;
+  elf.code = code;
+  elf.symbols = {{"reset", flash + TinyElf::kCode + 1, 0}};
+  try {
+    run_image(Image(write_tiny_elf(elf, "board.elf")), board_named(board), {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Machine, SaysWhichRegisterIsNotModelled) {
+  // ldr r0, =ADDRESS; ldr r1, [r0]; bkpt
+  const auto reads = [](std::uint32_t address) {
+    return std::vector<std::uint16_t>{0x4801, 0x6801, 0xBE00, 0xBF00, static_cast<std::uint16_t>(address),
+                                      static_cast<std::uint16_t>(address >> 16)};
+  };
+  constexpr std::uint32_t kFlash = 0x0800'0000;
+  EXPECT_EQ(fault_on("stm32f429i-disc1", kFlash, reads(0x4002'3800)), "none");
+  EXPECT_NE(fault_on("stm32f429i-disc1", kFlash, reads(0x4002'3814))
+                .find("reads the register 0x40023814, which is not modelled, at 0x08000042 in reset; r0=0x40023814"),
+            std::string::npos);
+  EXPECT_NE(fault_on("stm32f429i-disc1", kFlash, reads(0x4001'5008))
+                .find("reads the register 0x40015008 of SPI5, which has no clock or is in reset"),
+            std::string::npos);
+  EXPECT_NE(fault_on("ek-lm3s6965", 0, reads(0x4000'8000)).find("of SSI0, which has no clock"), std::string::npos);
+  EXPECT_NE(fault_on("ek-lm3s6965", 0, reads(0x4003'0000)).find("where nothing is modelled"), std::string::npos);
+}
+
 TEST(Machine, RefusesWhatTheCoreLacks) {
   const std::vector<std::uint16_t> divide = {0xFBB1, 0xF0F2, 0xBE00}, square_root = {0xEEB1, 0x0AC0, 0xBE00};
   EXPECT_NE(fault(divide, "cortex-m0").find("an instruction that a Cortex-M0 lacks"), std::string::npos);

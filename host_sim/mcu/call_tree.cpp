@@ -1,0 +1,55 @@
+#include "mcu/call_tree.hpp"
+
+namespace spanline::host {
+
+std::uint32_t CallTree::find(std::uint32_t place, const std::vector<std::uint32_t>& frames) {
+  const auto [known, is_new] = known_.try_emplace(std::uint64_t{base_} << 32 | place, 0);
+  if (!is_new) return known->second;
+  std::uint32_t node = base_;
+  for (const std::uint32_t frame : frames) {
+    const auto next = static_cast<std::uint32_t>(nodes_.size());
+    const auto [child, is_first] = nodes_[node].children.try_emplace(frame, next);
+    const std::uint32_t index = child->second;
+    if (is_first) nodes_.push_back({node, frame, {}, {}});
+    node = index;
+  }
+  return known->second = node;
+}
+
+void CallTree::call(std::uint32_t return_to) {
+  callers_.push_back({return_to, base_});
+  base_ = node_;
+  place_ = kNoPlace;
+}
+
+void CallTree::return_through(std::size_t depth) {
+  base_ = callers_[depth].base;
+  callers_.resize(depth);
+  place_ = kNoPlace;
+}
+
+// Whoever calls comes back in order, but a tail call may skip frames.
+void CallTree::jump(std::uint32_t to) {
+  for (std::size_t depth = callers_.size(); depth-- > 0;) {
+    if (callers_[depth].return_to == kException) return;
+    if (callers_[depth].return_to == to) return return_through(depth);
+  }
+}
+
+void CallTree::interrupt() {
+  callers_.push_back({kException, base_});
+  base_ = 0;
+  place_ = kNoPlace;
+}
+
+void CallTree::resume() {
+  for (std::size_t depth = callers_.size(); depth-- > 0;) {
+    if (callers_[depth].return_to == kException) return return_through(depth);
+  }
+}
+
+void CallTree::clear_counts() {
+  for (Node& node : nodes_) node.self = {};
+}
+
+}  // namespace spanline::host

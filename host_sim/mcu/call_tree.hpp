@@ -1,0 +1,61 @@
+// Who called whom, and what each took by itself: the data of a flame graph.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "mcu/count.hpp"
+
+namespace spanline::host {
+
+class CallTree {
+ public:
+  struct Node {
+    std::uint32_t parent;
+    std::uint32_t frame;  // as the caller of place() numbers functions; the root's is kRoot
+    Count self;
+    std::map<std::uint32_t, std::uint32_t> children;  // by frame
+  };
+  static constexpr std::uint32_t kRoot = UINT32_MAX;
+
+  CallTree() : nodes_{{0, kRoot, {}, {}}} {}
+
+  // The next instruction belongs to `place`, whose frames are these, outermost first: a function and what is inlined
+  // there.
+  void at(std::uint32_t place, const std::vector<std::uint32_t>& frames) {
+    if (place == place_) return;
+    place_ = place;
+    node_ = find(place, frames);
+  }
+  void charge(const Count& count) { nodes_[node_].self += count; }
+  void charge_waiting(std::uint64_t cycles) { nodes_[node_].self.waiting += cycles; }
+
+  // A call that will come back to `return_to`; a jump somewhere, perhaps back.
+  void call(std::uint32_t return_to);
+  void jump(std::uint32_t to);
+
+  // An exception interrupts, or ends.
+  void interrupt();
+  void resume();
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  void clear_counts();
+
+ private:
+  static constexpr std::uint32_t kNoPlace = UINT32_MAX, kException = 1;  // odd: no address of code
+  struct Caller {
+    std::uint32_t return_to, base;
+  };
+  std::uint32_t find(std::uint32_t place, const std::vector<std::uint32_t>& frames);
+  void return_through(std::size_t depth);
+
+  std::vector<Node> nodes_;
+  std::vector<Caller> callers_;
+  std::uint32_t base_ = 0, node_ = 0, place_ = kNoPlace;
+  std::unordered_map<std::uint64_t, std::uint32_t> known_;  // base and place
+};
+
+}  // namespace spanline::host

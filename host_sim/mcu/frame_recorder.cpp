@@ -1,0 +1,66 @@
+#include "mcu/frame_recorder.hpp"
+
+#include <algorithm>
+
+namespace spanline::host {
+
+void FrameRecorder::begin_frame(const Count& so_far) {
+  open_ = true;
+  begin_ = line_begin_ = so_far;
+  first_pixel_ = pixels_;
+  waits_.clear();
+  frames_.emplace_back();
+  frames_.back().begin = so_far.time();
+}
+
+void FrameRecorder::gave(std::uint64_t pixels, const Count& so_far) {
+  const std::uint64_t before = pixels_;
+  pixels_ = pixels;
+  if (!open_) return;
+  std::vector<FrameRecord::Line>& lines = frames_.back().lines;
+  const std::uint64_t next_line = first_pixel_ + lines.size() * line_bytes_;
+  if (lines.size() == lines_ || before > next_line || pixels <= next_line) return;
+  lines.push_back({so_far - line_begin_, so_far.time(), 0, 0});
+  line_begin_ = so_far;
+}
+
+void FrameRecorder::waited(std::uint64_t begin, std::uint64_t end) {
+  if (!waits_.empty() && waits_.back().end == begin) {
+    waits_.back().end = end;
+  } else {
+    waits_.push_back({begin, end});
+  }
+}
+
+// Pixel bytes by line, and how much of the wire's time the core did not wait for.
+void FrameRecorder::place_bytes(FrameRecord& frame, const std::vector<DisplayWire::Byte>& wire) {
+  std::uint64_t pixels = 0;
+  auto wait = waits_.begin();
+  for (; placed_ < wire.size(); ++placed_) {
+    const DisplayWire::Byte& byte = wire[placed_];
+    if (byte.begin < frame.begin) continue;
+    ++frame.bytes;
+    frame.wire += byte.end - byte.begin;
+    frame.overlapped += byte.end - byte.begin;
+    while (wait != waits_.end() && wait->end <= byte.begin) ++wait;
+    for (auto at = wait; at != waits_.end() && at->begin < byte.end; ++at) {
+      frame.overlapped -= std::min(at->end, byte.end) - std::max(at->begin, byte.begin);
+    }
+    if (!byte.pixel) continue;
+    const std::uint64_t line = pixels++ / line_bytes_;
+    if (line >= frame.lines.size()) continue;
+    if ((pixels - 1) % line_bytes_ == 0) frame.lines[line].begin = byte.begin;
+    frame.lines[line].end = byte.end;
+  }
+}
+
+void FrameRecorder::end_frame(const Count& so_far, const std::vector<DisplayWire::Byte>& wire) {
+  if (!open_) return;
+  open_ = false;
+  FrameRecord& frame = frames_.back();
+  frame.end = so_far.time();
+  frame.count = so_far - begin_;
+  place_bytes(frame, wire);
+}
+
+}  // namespace spanline::host

@@ -1,0 +1,72 @@
+// Keeps account of a run: by function, by call, by frame, between two symbols.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mcu/call_tree.hpp"
+#include "mcu/count.hpp"
+#include "mcu/decoded_code.hpp"
+
+namespace spanline::host {
+
+class Ledger {
+ public:
+  // `functions`: how many there are, besides the one for what belongs to none.
+  explicit Ledger(std::size_t functions) : functions_(functions + 1), at_begin_(functions + 1) {}
+
+  void charge(const DecodedCode::Entry& entry, const Count& count) {
+    total_ += count;
+    functions_[entry.function] += count;
+    calls_.charge(count);
+  }
+  // The instruction of `entry` asks a register again that it asked at `since`, and nothing was stored meanwhile.
+  void charge_waiting(const DecodedCode::Entry& entry, std::uint64_t cycles) {
+    const Count waited{0, 0, 0, cycles};
+    total_ += waited;
+    functions_[entry.function] += waited;
+    calls_.charge(waited);
+  }
+
+  const Count& total() const { return total_; }
+  CallTree& calls() { return calls_; }
+
+  // What is counted from here to the next end() is a passage.
+  void begin() {
+    begin_ = total_;
+    at_begin_ = functions_;
+    if (passages_.empty()) calls_.clear_counts();
+  }
+  void end();
+
+  const std::vector<Count>& passages() const { return passages_; }
+  const std::vector<Count>& functions() const { return counted_; }
+
+ private:
+  Count total_, begin_;
+  std::vector<Count> functions_, at_begin_, counted_;
+  std::vector<Count> passages_;
+  CallTree calls_;
+};
+
+// Finds the loops that wait: the same instruction reads a register again, and nothing was stored in between.
+class WaitFinder {
+ public:
+  struct Wait {
+    std::uint64_t begin, end;
+  };
+
+  void stored() { ++stores_; }
+  std::optional<Wait> asked(std::uint32_t instruction, std::uint64_t now);
+
+ private:
+  struct Question {
+    std::uint32_t instruction;
+    std::uint64_t stores, when;
+  };
+  std::vector<Question> questions_;
+  std::uint64_t stores_ = 0, counted_until_ = 0;
+};
+
+}  // namespace spanline::host

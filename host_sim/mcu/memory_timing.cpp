@@ -1,0 +1,29 @@
+#include "mcu/memory_timing.hpp"
+
+#include <algorithm>
+
+namespace spanline::host {
+
+bool CacheTags::take(std::uint32_t line) {
+  const auto first = tags_.begin() + static_cast<std::ptrdiff_t>(line % sets_ * ways_), last = first + ways_;
+  auto found = std::find(first, last, line);
+  const bool hit = found != last;
+  if (!hit) *(found = last - 1) = line;
+  std::rotate(first, found, found + 1);
+  return hit;
+}
+
+MemoryTiming::MemoryTiming(const Flash& flash)
+    : flash_(flash), code_(flash.code_sets, flash.code_ways), data_(flash.data_sets, flash.data_ways) {}
+
+unsigned MemoryTiming::turn_to(std::uint32_t line, std::uint64_t now) {
+  const bool follows = flash_.prefetches && line == line_ + 1;
+  const std::uint64_t ago = now - entered_;
+  unsigned stall = 0;
+  if (!code_.take(line)) stall = !follows ? miss_ : ago < miss_ ? miss_ - static_cast<unsigned>(ago) : 0;
+  line_ = line;
+  entered_ = now + stall;
+  return stall;
+}
+
+}  // namespace spanline::host
