@@ -198,20 +198,18 @@ void Machine::fail(const std::string& what) {
   end("fault");
 }
 
+// Null after a failure.
 Peripheral* Machine::device_at(std::uint32_t address, unsigned size, const char* verb) {
   Peripheral* const device = chip_ ? chip_->peripheral_at(address) : nullptr;
-  const std::string name = std::string(verb) + " the register " + hex(address);
-  if (device == nullptr) {
-    fail(name + ", which is not modelled");
-  } else if (!device->alive()) {
-    fail(name + " of " + device->name() + ", which has no clock or is in reset");
-  } else if (size != 4 || address % 4 != 0) {
-    fail(name + " by " + std::to_string(size) + " bytes, words are modelled");
-  } else {
-    chip_->advance(now());
-    return device;
-  }
-  return nullptr;
+  const auto refuse = [&](const std::string& why) {
+    fail(std::string(verb) + " the register " + hex(address) + why);
+    return nullptr;
+  };
+  if (device == nullptr) return refuse(", which is not modelled");
+  if (!device->alive()) return refuse(" of " + device->name() + ", which has no clock or is in reset");
+  if (size != 4 || address % 4 != 0) return refuse(" by " + std::to_string(size) + " bytes, words are modelled");
+  chip_->advance(now());
+  return device;
 }
 
 std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {

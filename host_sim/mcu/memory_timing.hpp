@@ -27,7 +27,7 @@ class MemoryTiming {
   // The memory that stalls.
   struct Flash {
     std::uint32_t base = 0, size = 0;
-    std::uint32_t line_bytes = 16;
+    unsigned line_bits = 4;  // a line is 2 to this power bytes
     unsigned code_sets = 1, code_ways = 1;
     unsigned data_sets = 0, data_ways = 0;  // no sets: data share the cache with the code
     bool prefetches = false;                // the line behind the one that is executed
@@ -42,13 +42,13 @@ class MemoryTiming {
 
   // Stall cycles of an instruction's fetch and of a datum's read; `now` is the core's time.
   unsigned fetch(std::uint32_t address, std::uint64_t now) {
-    if (address - flash_.base >= flash_.size || address / flash_.line_bytes == line_) return 0;
-    return turn_to(address / flash_.line_bytes, now);
+    if (address - flash_.base >= flash_.size || address >> flash_.line_bits == line_) return 0;
+    return turn_to(address >> flash_.line_bits, now);
   }
   unsigned read(std::uint32_t address) {
     if (address - flash_.base >= flash_.size) return 0;
     CacheTags& tags = flash_.data_sets == 0 ? code_ : data_;
-    return tags.take(address / flash_.line_bytes) ? 0 : miss_;
+    return tags.take(address >> flash_.line_bits) ? 0 : miss_;
   }
 
  private:

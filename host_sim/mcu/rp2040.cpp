@@ -264,7 +264,7 @@ class Rp2040 final : public Chip {
             }) {
     // 16 KB in two ways of 8-byte lines, for code and data.
     memory_ =
-        MemoryTiming({.base = 0x1000'0000, .size = 0x0100'0000, .line_bytes = 8, .code_sets = 1024, .code_ways = 2});
+        MemoryTiming({.base = 0x1000'0000, .size = 0x0100'0000, .line_bits = 3, .code_sets = 1024, .code_ways = 2});
     const auto complain_of = [this](const std::string& what) { complain(what); };
     constexpr std::uint32_t kSpi0Base = 0x4003'C000;
     const Resets& resets = add<Resets>();

@@ -207,7 +207,7 @@ class Stm32F4 final : public Chip {
   Stm32F4(const BoardDescription& board, ReadByte read) : Chip(board, Stm32Rcc::kResetKilohertz, 1, std::move(read)) {
     memory_ = MemoryTiming({.base = 0x0800'0000,
                             .size = 0x0020'0000,
-                            .line_bytes = 16,
+                            .line_bits = 4,
                             .code_sets = 1,
                             .code_ways = 64,
                             .data_sets = 1,
