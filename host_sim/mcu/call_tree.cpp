@@ -2,15 +2,15 @@
 
 namespace spanline::host {
 
-std::uint32_t CallTree::find(std::uint32_t place, const std::vector<std::uint32_t>& frames) {
+std::uint32_t CallTree::find(std::uint32_t place, const Places& places) {
   const auto [known, is_new] = known_.try_emplace(std::uint64_t{base_} << 32 | place, 0);
   if (!is_new) return known->second;
   std::uint32_t node = base_;
-  for (const std::uint32_t frame : frames) {
+  for (const std::uint32_t frame : places.frames(place)) {
     const auto next = static_cast<std::uint32_t>(nodes_.size());
     const auto [child, is_first] = nodes_[node].children.try_emplace(frame, next);
     const std::uint32_t index = child->second;
-    if (is_first) nodes_.push_back({node, frame, {}, {}});
+    if (is_first) nodes_.push_back({node, frame, places.stage(frame).value_or(nodes_[node].stage), {}, {}});
     node = index;
   }
   return known->second = node;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "mcu/count.hpp"
+#include "mcu/places.hpp"
+#include "mcu/stage.hpp"
 
 namespace spanline::host {
 
@@ -15,23 +17,23 @@ class CallTree {
  public:
   struct Node {
     std::uint32_t parent;
-    std::uint32_t frame;  // as the caller of place() numbers functions; the root's is kRoot
+    std::uint32_t frame;  // of Places; the root's is kRoot
+    Stage stage;          // of its file, or its caller's
     Count self;
     std::map<std::uint32_t, std::uint32_t> children;  // by frame
   };
   static constexpr std::uint32_t kRoot = UINT32_MAX;
 
-  CallTree() : nodes_{{0, kRoot, {}, {}}} {}
+  CallTree() : nodes_{{0, kRoot, Stage::other, {}, {}}} {}
 
-  // The next instruction belongs to `place`, whose frames are these, outermost first: a function and what is inlined
-  // there.
-  void at(std::uint32_t place, const std::vector<std::uint32_t>& frames) {
+  // The next instruction belongs to this place.
+  void at(std::uint32_t place, const Places& places) {
     if (place == place_) return;
     place_ = place;
-    node_ = find(place, frames);
+    node_ = find(place, places);
   }
+  Stage stage() const { return nodes_[node_].stage; }
   void charge(const Count& count) { nodes_[node_].self += count; }
-  void charge_waiting(std::uint64_t cycles) { nodes_[node_].self.waiting += cycles; }
 
   // A call that will come back to `return_to`; a jump somewhere, perhaps back.
   void call(std::uint32_t return_to);
@@ -49,7 +51,7 @@ class CallTree {
   struct Caller {
     std::uint32_t return_to, base;
   };
-  std::uint32_t find(std::uint32_t place, const std::vector<std::uint32_t>& frames);
+  std::uint32_t find(std::uint32_t place, const Places& places);
   void return_through(std::size_t depth);
 
   std::vector<Node> nodes_;

@@ -22,7 +22,8 @@ class DecodedCode {
     std::uint32_t place = 0;     // of places()
   };
 
-  DecodedCode(const Image& image, Core core) : image_(image), decoder_(core), places_(image) {}
+  DecodedCode(const Image& image, const DebugInfo& debug, Core core)
+      : image_(image), decoder_(core), places_(image, debug) {}
 
   // `read`: the halfword at an address.
   template <typename Read>

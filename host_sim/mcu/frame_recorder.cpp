@@ -3,25 +3,37 @@
 #include <algorithm>
 
 namespace spanline::host {
+namespace {
 
-void FrameRecorder::begin_frame(const Count& so_far) {
+StageCounts difference(const StageCounts& a, const StageCounts& b) {
+  StageCounts result;
+  for (std::size_t i = 0; i < kStages; ++i) result[i] = a[i] - b[i];
+  return result;
+}
+
+}  // namespace
+
+void FrameRecorder::begin_frame(const Ledger& so_far) {
   open_ = true;
-  begin_ = line_begin_ = so_far;
+  begin_ = line_begin_ = so_far.total();
+  stages_begin_ = stages_line_begin_ = so_far.stages();
   first_pixel_ = pixels_;
   waits_.clear();
   frames_.emplace_back();
-  frames_.back().begin = so_far.time();
+  frames_.back().begin = so_far.total().time();
 }
 
-void FrameRecorder::gave(std::uint64_t pixels, const Count& so_far) {
+void FrameRecorder::gave(std::uint64_t pixels, const Ledger& so_far) {
   const std::uint64_t before = pixels_;
   pixels_ = pixels;
   if (!open_) return;
   std::vector<FrameRecord::Line>& lines = frames_.back().lines;
   const std::uint64_t next_line = first_pixel_ + lines.size() * line_bytes_;
   if (lines.size() == lines_ || before > next_line || pixels <= next_line) return;
-  lines.push_back({so_far - line_begin_, so_far.time(), 0, 0});
-  line_begin_ = so_far;
+  lines.push_back(
+      {so_far.total() - line_begin_, difference(so_far.stages(), stages_line_begin_), so_far.total().time(), 0, 0});
+  line_begin_ = so_far.total();
+  stages_line_begin_ = so_far.stages();
 }
 
 void FrameRecorder::waited(std::uint64_t begin, std::uint64_t end) {
@@ -54,12 +66,13 @@ void FrameRecorder::place_bytes(FrameRecord& frame, const std::vector<DisplayWir
   }
 }
 
-void FrameRecorder::end_frame(const Count& so_far, const std::vector<DisplayWire::Byte>& wire) {
+void FrameRecorder::end_frame(const Ledger& so_far, const std::vector<DisplayWire::Byte>& wire) {
   if (!open_) return;
   open_ = false;
   FrameRecord& frame = frames_.back();
-  frame.end = so_far.time();
-  frame.count = so_far - begin_;
+  frame.end = so_far.total().time();
+  frame.count = so_far.total() - begin_;
+  frame.stages = difference(so_far.stages(), stages_begin_);
   place_bytes(frame, wire);
 }
 

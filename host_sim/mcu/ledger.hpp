@@ -19,17 +19,14 @@ class Ledger {
   void charge(const DecodedCode::Entry& entry, const Count& count) {
     total_ += count;
     functions_[entry.function] += count;
+    stages_[static_cast<std::size_t>(calls_.stage())] += count;
     calls_.charge(count);
   }
-  // The instruction of `entry` asks a register again that it asked at `since`, and nothing was stored meanwhile.
-  void charge_waiting(const DecodedCode::Entry& entry, std::uint64_t cycles) {
-    const Count waited{0, 0, 0, cycles};
-    total_ += waited;
-    functions_[entry.function] += waited;
-    calls_.charge(waited);
-  }
+  // So many of the cycles charged last were spent in a loop that waits, in the function of `entry`.
+  void charge_waiting(const DecodedCode::Entry& entry, std::uint64_t cycles) { charge(entry, {0, 0, 0, cycles}); }
 
   const Count& total() const { return total_; }
+  const StageCounts& stages() const { return stages_; }
   CallTree& calls() { return calls_; }
 
   // What is counted from here to the next end() is a passage.
@@ -45,6 +42,7 @@ class Ledger {
 
  private:
   Count total_, begin_;
+  StageCounts stages_{};
   std::vector<Count> functions_, at_begin_, counted_;
   std::vector<Count> passages_;
   CallTree calls_;

@@ -13,6 +13,7 @@
 #include "mcu/cycle_model.hpp"
 #include "mcu/decoded_code.hpp"
 #include "mcu/ledger.hpp"
+#include "mcu/pool_watch.hpp"
 #include "mcu/semihosting.hpp"
 #include "mcu/system_registers.hpp"
 
@@ -75,13 +76,15 @@ class Machine {
   MemoryTiming& timing_;
   std::optional<CycleModel> model_;
   SystemRegisters system_;
+  DebugInfo debug_;
   DecodedCode code_;
+  PoolWatch pools_;
   Ledger ledger_;
   WaitFinder waits_;
   std::optional<FrameRecorder> frames_;
   std::deque<Window> windows_;
   std::uint32_t vectors_ = 0;
-  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere;
+  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere, main_ = kNowhere;
   bool counting_ = true, ended_ = false;
   const DecodedCode::Entry* current_ = nullptr;
   std::uint32_t current_address_ = 0, block_end_ = 0;
@@ -100,7 +103,9 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
       options_(options),
       chip_(make_chip(board, [this](std::uint32_t address) { return core_.byte(address); })),
       timing_(chip_ ? chip_->memory() : no_timing_),
-      code_(image, board.core),
+      debug_(image.path()),
+      code_(image, debug_, board.core),
+      pools_(image, debug_),
       ledger_(image.functions().size()) {
   if (has_cycle_model(board.core)) model_.emplace(board.core);
   counting_ = options.from.empty();
@@ -112,6 +117,7 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
 void Machine::find_marks() {
   if (!options_.from.empty()) from_ = image_.address_of(options_.from) & ~1u;
   if (!options_.until.empty()) until_ = image_.address_of(options_.until) & ~1u;
+  if (image_.has_symbol("main")) main_ = image_.address_of("main") & ~1u;
   if (!board_.panel || !image_.has_symbol(kFrameBeginMark) || !image_.has_symbol(kFrameEndMark)) return;
   frame_begin_ = image_.address_of(kFrameBeginMark) & ~1u;
   frame_end_ = image_.address_of(kFrameEndMark) & ~1u;
@@ -234,7 +240,7 @@ void Machine::write_register(std::uint32_t address, unsigned size, std::uint32_t
     known = system_.write(address, value, now());
   } else if (Peripheral* const device = device_at(address, size, "writes")) {
     known = device->write(address - device->base(), value);
-    if (frames_) frames_->gave(chip_->pixels_given(), ledger_.total());
+    if (frames_) frames_->gave(chip_->pixels_given(), ledger_);
   }
   if (!known) fail("writes the register " + hex(address) + ", which is not modelled");
   plan_events();
@@ -249,7 +255,7 @@ void Machine::plan_events() {
 bool Machine::serve_events(std::uint32_t address) {
   if (chip_) {
     chip_->advance(now());
-    if (frames_) frames_->gave(chip_->pixels_given(), ledger_.total());
+    if (frames_) frames_->gave(chip_->pixels_given(), ledger_);
   }
   const bool between_blocks = address >= block_end_ || address < current_address_;
   const bool tick =
@@ -308,7 +314,7 @@ void Machine::watch_stack(std::uint32_t address) {
 
 void Machine::end_frame() {
   chip_->advance(now());
-  frames_->end_frame(ledger_.total(), chip_->wire().bytes());
+  frames_->end_frame(ledger_, chip_->wire().bytes());
 }
 
 void Machine::enter_marks(std::uint32_t address) {
@@ -321,7 +327,8 @@ void Machine::enter_marks(std::uint32_t address) {
     counting_ = true;
     ledger_.begin();
   }
-  if (address == frame_begin_) frames_->begin_frame(ledger_.total());
+  if (address == main_) pools_.clear();
+  if (address == frame_begin_) frames_->begin_frame(ledger_);
   if (address == frame_end_) end_frame();
 }
 
@@ -336,7 +343,7 @@ void Machine::on_code(std::uint32_t address) {
   current_address_ = address;
   enter_marks(address);
   if (ended_) return;
-  ledger_.calls().at(here.place, code_.places().frames(here.place));
+  ledger_.calls().at(here.place, code_.places());
   current_ = &here;
   sp_changed_ = insn.writes_sp();
   how_ = Execution{};
@@ -361,6 +368,7 @@ void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
   if (current_ == nullptr) return;
   if (write) {
     waits_.stored();
+    pools_.written(address);
   } else {
     stall_ += timing_.read(address);
   }
@@ -431,6 +439,7 @@ void Machine::fill_report(const StartState& start) {
   report_.stack_deepest = image_.name_at(deepest_at_);
   report_.calls = ledger_.calls();
   report_.places = code_.places().all();
+  report_.pools = pools_.pools();
   if (frames_) report_.frames = frames_->frames();
   if (!chip_) return;
   const DisplayWire& wire = chip_->wire();

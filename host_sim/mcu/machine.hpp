@@ -14,6 +14,7 @@
 #include "mcu/frame_recorder.hpp"
 #include "mcu/image.hpp"
 #include "mcu/places.hpp"
+#include "mcu/pool_watch.hpp"
 #include "sim/picture.hpp"
 
 namespace spanline::host {
@@ -51,6 +52,7 @@ struct RunReport {
   std::optional<PanelReport> panel;   // where the board has one
   std::vector<FrameRecord> frames;    // of images whose frames are marked
   CallTree calls;                     // of what was counted
+  std::vector<PoolUse> pools;         // of the image's FrameMemory, where its debug information tells of one
   std::vector<Places::Frame> places;  // the frames of `calls`
   std::uint64_t unknown = 0;          // instructions that the decoder has no name for, taken as one cycle each
 };

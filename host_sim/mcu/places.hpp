@@ -3,34 +3,38 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "mcu/debug_info.hpp"
 #include "mcu/image.hpp"
+#include "mcu/stage.hpp"
 
 namespace spanline::host {
 
 class Places {
  public:
-  struct Frame {
-    std::string name;
-    std::string file;  // that defines it, as the debug information names it; empty where that is not known
-  };
+  using Frame = DebugInfo::Frame;  // no file where it is not known
 
-  explicit Places(const Image& image);
+  Places(const Image& image, const DebugInfo& debug) : image_(image), debug_(debug) {}
 
   // The place of an instruction, a small number.
   std::uint32_t at(std::uint32_t address);
   // Its frames, outermost first.
   const std::vector<std::uint32_t>& frames(std::uint32_t place) const { return chains_[place]; }
   const std::vector<Frame>& all() const { return frames_; }
+  // Of a frame's file; nothing for helpers.
+  std::optional<Stage> stage(std::uint32_t frame) const { return stages_[frame]; }
 
  private:
   std::uint32_t intern(const Frame& frame);
 
   const Image& image_;
+  const DebugInfo& debug_;
   std::vector<Frame> frames_;
+  std::vector<std::optional<Stage>> stages_;
   std::map<std::pair<std::string, std::string>, std::uint32_t> known_frames_;
   std::vector<std::vector<std::uint32_t>> chains_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_chains_;
