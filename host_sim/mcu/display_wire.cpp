@@ -42,4 +42,9 @@ std::uint8_t DisplayWire::exchange(std::uint8_t byte, std::uint32_t hz, unsigned
   return 0xFF;
 }
 
+std::uint8_t DisplayWire::listen(std::uint32_t hz, const Byte& when) {
+  turn_to(when.end);
+  return model_->answer(hz);
+}
+
 }  // namespace spanline::host

@@ -31,8 +31,12 @@ class DisplayWire {
   // A pin of the serial port is, or is no longer, the port's.
   void give_pin(PinName pin, bool to_port);
 
-  // One byte at the end of its eight clocks; returns what the panel said meanwhile.
+  // One byte at the end of its eight clocks; returns what came in meanwhile: nothing is wired, so
+  // ones.
   std::uint8_t exchange(std::uint8_t byte, std::uint32_t hz, unsigned mode, const Byte& when);
+
+  // One byte that the panel says on the data line while the port does not drive it.
+  std::uint8_t listen(std::uint32_t hz, const Byte& when);
 
   // What the panel shows to a viewer for whom the picture is upright.
   Picture picture() const { return turned(model_->picture(), wiring_.rotation); }

@@ -6,14 +6,29 @@ void SerialPort::begin(std::uint64_t at) {
   byte_ = waiting_.front();
   waiting_.pop_front();
   shifting_ = true;
+  hears_ = false;
   now_ = {at, at + cycles_per_byte_, false};
+}
+
+void SerialPort::begin_listening(std::uint64_t at) {
+  shifting_ = hears_ = true;
+  now_ = {at, at + cycles_per_byte_, false};
+}
+
+void SerialPort::listen(bool on, std::uint64_t now) {
+  listening_ = on;
+  if (on && !shifting_) begin_listening(now);
 }
 
 void SerialPort::end_byte() {
   shifting_ = false;
-  const std::uint8_t answer = wire_.exchange(byte_, hz_, mode_, now_);
+  const std::uint8_t answer = hears_ ? wire_.listen(hz_, now_) : wire_.exchange(byte_, hz_, mode_, now_);
   if (received_.size() < depth_) received_.push_back(answer);
-  if (!waiting_.empty()) begin(now_.end);
+  if (listening_) {
+    begin_listening(now_.end);
+  } else if (!waiting_.empty()) {
+    begin(now_.end);
+  }
 }
 
 std::uint8_t SerialPort::take_received() {

@@ -35,6 +35,9 @@ class SerialPort {
     if (!shifting_) begin(now);
   }
 
+  // Clocks bytes in without a pause, as a master does that only receives, until told otherwise.
+  void listen(bool on, std::uint64_t now);
+
   // When the byte on the wire ends.
   std::uint64_t next_event() const { return shifting_ ? now_.end : kNever; }
   void end_byte();
@@ -47,6 +50,7 @@ class SerialPort {
 
  private:
   void begin(std::uint64_t at);
+  void begin_listening(std::uint64_t at);
 
   DisplayWire& wire_;
   std::size_t depth_;
@@ -55,7 +59,7 @@ class SerialPort {
   std::uint64_t pixels_ = 0;
   unsigned mode_ = 0;
   std::deque<std::uint8_t> waiting_, received_;
-  bool shifting_ = false;
+  bool shifting_ = false, listening_ = false, hears_ = false;  // hears_: the byte on the wire is the panel's
   std::uint8_t byte_ = 0, last_received_ = 0;
   DisplayWire::Byte now_{};
 };

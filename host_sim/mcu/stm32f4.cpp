@@ -85,6 +85,7 @@ class Spi final : public RegisterBank {
 
   bool write(std::uint32_t offset, std::uint32_t value) override {
     constexpr std::uint32_t kMaster = 1u << 2, kEnable = 1u << 6, kSelected = 3u << 8, kTransmitDma = 1u << 1;
+    constexpr std::uint32_t kOneLine = 1u << 15, kDrive = 1u << 14;
     if (offset == kData) {
       if ((at(kControl1) & kEnable) == 0) around_.complain(name() + " is given data while off");
       if (port_.full()) around_.complain(name() + " is given data while its buffer is full");
@@ -93,13 +94,18 @@ class Spi final : public RegisterBank {
     }
     if (!RegisterBank::write(offset, value)) return false;
     if (offset == kControl2) want_dma_((value & kTransmitDma) != 0);
-    if (offset != kControl1 || (value & kEnable) == 0) return true;
+    if (offset != kControl1) return true;
+    if ((value & kEnable) == 0) {
+      port_.listen(false, around_.now());
+      return true;
+    }
     if ((value & (kMaster | kSelected)) != (kMaster | kSelected)) around_.complain(name() + " is no master");
-    if ((value & ~(3u | 7u << 3 | kMaster | kEnable | kSelected)) != 0) {
+    if ((value & ~(3u | 7u << 3 | kMaster | kEnable | kSelected | kOneLine | kDrive)) != 0) {
       around_.complain(name() + " is in a format that is not modelled");
     }
     const std::uint32_t divisor = rcc_.apb2_divisor() << ((value >> 3 & 7) + 1);  // of the core's clock
     port_.set(std::uint64_t{8} * divisor, around_.kilohertz() * 1000 / divisor, value & 3);
+    port_.listen((value & (kOneLine | kDrive)) == kOneLine, around_.now());
     return true;
   }
 
