@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "core/area/depth_plane.hpp"
+#include "core/area/plane.hpp"
 
 namespace spanline::area::test {
 namespace {
@@ -99,16 +99,20 @@ TEST(Predicates, TheWholeRangeIsExact) {
 }
 
 TEST(Predicates, DepthGoesOnInItsPlane) {
-  constexpr DepthPlane kPlane{{at(0, 0), at(10, 0), at(0, 10)}, {100, 200, 65535}};
-  static_assert(depth_at(kPlane, at(5, 0)) == 150);
-  static_assert(depth_at(kPlane, at(20, 0)) == 300);
-  static_assert(depth_at(kPlane, at(0, 10)) == 65535);
-  constexpr DepthPlane kReversed{{at(0, 10), at(10, 0), at(0, 0)}, {65535, 200, 100}};
-  for (int x = -30; x < 30; ++x) EXPECT_EQ(depth_at(kPlane, at(x, 7 - x)), depth_at(kReversed, at(x, 7 - x)));
+  constexpr Plane kPlane = Plane::through({at(0, 0), at(10, 0), at(0, 10)}, {100, 200, 65535});
+  static_assert(kPlane.depth(at(5, 0)) == 150);
+  static_assert(kPlane.depth(at(20, 0)) == 300);
+  static_assert(kPlane.depth(at(0, 10)) == 65535);
+  constexpr Plane kReversed = Plane::through({at(0, 10), at(10, 0), at(0, 0)}, {65535, 200, 100});
+  for (int x = -30; x < 30; ++x) EXPECT_EQ(kPlane.depth(at(x, 7 - x)), kReversed.depth(at(x, 7 - x)));
   constexpr int m = kMaxCoordinate;
-  constexpr DepthPlane kWide{{at(-m, -m), at(m, -m), at(m, m)}, {0, 65535, 0}};
-  EXPECT_EQ(depth_at(kWide, at(m, -m)), 65535);
-  EXPECT_EQ(depth_at(kWide, at(-m, m)), -65535);
+  constexpr Plane kWide = Plane::through({at(-m, -m), at(m, -m), at(m, m)}, {0, kMaxDepth, 0});
+  EXPECT_EQ(kWide.depth(at(m, -m)), kMaxDepth);
+  EXPECT_EQ(kWide.depth(at(-m, m)), -kMaxDepth);
+  // Hardly seen from the side: the gradient is cut off, and values stay within 64 bits.
+  constexpr Plane kSteep = Plane::through({at(-m, -m), at(m, m - 1), at(m - 1, m - 2)}, {0, kMaxDepth, 0});
+  EXPECT_EQ(kSteep.along_x, -kMaxGradient);
+  EXPECT_LT(kSteep.value(at(m, -m)) - kSteep.value(at(-m, m)), INT64_MAX / 4);
 }
 
 }  // namespace

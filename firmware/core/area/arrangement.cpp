@@ -75,8 +75,41 @@ bool Arrangement::cross(std::uint16_t one, std::uint16_t other) {
   return add_node(found.at, found.rounded, a.role);
 }
 
+void Arrangement::sort_segments() {
+  sort_blocks(pools_.segments, segments_,
+              [](const Segment& a, const Segment& b) { return a.low == b.low ? a.high < b.high : a.low < b.low; });
+}
+
+void Arrangement::merge_segments() {
+  sort_segments();
+  std::uint16_t kept = 0;
+  for (std::uint16_t i = 1; i <= segments_; ++i) {
+    const Segment& segment = pools_.segments[i];
+    const Segment& before = pools_.segments[kept];
+    if (kept != 0 && before.low == segment.low && before.high == segment.high) continue;
+    pools_.segments[++kept] = segment;
+  }
+  segments_ = kept;
+}
+
+const Segment& Arrangement::find_segment(GridPoint low, GridPoint high) const {
+  std::uint16_t least = 1, end = segments_;
+  while (least < end) {
+    const auto middle = static_cast<std::uint16_t>((least + end) / 2);
+    const Segment& segment = pools_.segments[middle];
+    const bool before = segment.low == low ? segment.high < high : segment.low < low;
+    if (before) {
+      least = static_cast<std::uint16_t>(middle + 1);
+    } else {
+      end = middle;
+    }
+  }
+  CHECK(pools_.segments[least].low == low && pools_.segments[least].high == high);
+  return pools_.segments[least];
+}
+
 bool Arrangement::intersect() {
-  sort_blocks(pools_.segments, segments_, [](const Segment& a, const Segment& b) { return a.low < b.low; });
+  sort_segments();
   for (std::uint16_t i = 1; i <= segments_; ++i) {
     const Segment& segment = pools_.segments[i];
     if (!add_node(segment.low, false, segment.role) || !add_node(segment.high, false, segment.role)) return false;
@@ -93,7 +126,7 @@ bool Arrangement::intersect() {
   return true;
 }
 
-std::uint16_t Arrangement::first_node_from(std::int16_t x) const {
+std::uint16_t Arrangement::first_node_from(std::int32_t x) const {
   std::uint16_t low = 1, high = static_cast<std::uint16_t>(nodes_ + 1);
   while (low < high) {
     const auto middle = static_cast<std::uint16_t>((low + high) / 2);
@@ -151,28 +184,11 @@ std::uint16_t Arrangement::moved() const {
   return count;
 }
 
-// Visits the nodes that a segment goes through, in their order along it; stops where `visit` returns false.
-template <typename Visit>
-bool Arrangement::along(const Segment& s, Visit visit) const {
-  const bool down = s.high.y < s.low.y;
-  std::uint16_t column = first_node_from(s.low.x);
-  while (column <= nodes_ && pools_.nodes[column].at.x <= s.high.x) {
-    std::uint16_t end = column;
-    while (end <= nodes_ && pools_.nodes[end].at.x == pools_.nodes[column].at.x) ++end;
-    for (std::uint16_t i = 0; i < end - column; ++i) {
-      const auto node = static_cast<std::uint16_t>(down ? end - 1 - i : column + i);
-      if (meets(s, pools_.nodes[node]) && !visit(node)) return false;
-    }
-    column = end;
-  }
-  return true;
-}
-
 bool Arrangement::cut() {
   for (std::uint16_t i = 1; i <= segments_; ++i) {
     const Segment& segment = pools_.segments[i];
     std::uint16_t last = 0;
-    const bool done = along(segment, [&](std::uint16_t node) {
+    const bool done = along(segment, false, [&](std::uint16_t node) {
       const std::uint16_t from = last;
       last = node;
       return from == 0 || add_edge(from, node, segment.role);

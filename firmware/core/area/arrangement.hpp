@@ -32,8 +32,15 @@ class Arrangement {
   bool add_segment(GridPoint low, GridPoint high, Role role);
 
   bool intersect();  // nodes: all vertices and intersections; which segments move
-  bool cut();        // edges between neighbouring nodes; what coincides is one edge, what cancels is none
-  void spin();       // edges in order of their ends, and the half-edges around each node counter-clockwise
+  // For borders that all belong to one region each: edges that coincide are the same edge. Before intersect().
+  void merge_segments();
+  // After intersect(): hands `visit` the nodes between the ends of an input edge that it is led through, in their order
+  // from `from` to `to`; none where the edge stays where it is. False, and no more nodes, once `visit` returns false.
+  template <typename Visit>
+  bool lead(GridPoint from, GridPoint to, Visit visit) const;
+
+  bool cut();   // edges between neighbouring nodes; what coincides is one edge, what cancels is none
+  void spin();  // edges in order of their ends, and the half-edges around each node counter-clockwise
 
   struct Full {
     const char* pool = "";
@@ -50,14 +57,16 @@ class Arrangement {
 
  private:
   bool add_node(GridPoint at, bool active, Role role);
+  void sort_segments();
   void merge_nodes();
   bool cross(std::uint16_t one, std::uint16_t other);
+  const Segment& find_segment(GridPoint low, GridPoint high) const;
   void settle();
   bool spread(Segment& segment);
-  std::uint16_t first_node_from(std::int16_t x) const;
+  std::uint16_t first_node_from(std::int32_t x) const;
   bool meets(const Segment& segment, const Node& node) const;
   template <typename Visit>
-  bool along(const Segment& segment, Visit visit) const;
+  bool along(const Segment& segment, bool backwards, Visit visit) const;
   bool add_edge(std::uint16_t from, std::uint16_t to, Role role);
   void insert_half_edge(HalfEdge h);
   bool fail(const char* pool, Role role, std::uint16_t capacity);
@@ -66,6 +75,43 @@ class Arrangement {
   Full full_;
   std::uint16_t segments_ = 0, nodes_ = 0, edges_ = 0, rounded_ = 0;
 };
+
+template <typename Visit>
+bool Arrangement::lead(GridPoint from, GridPoint to, Visit visit) const {
+  const bool forth = from < to;
+  const Segment& segment = find_segment(forth ? from : to, forth ? to : from);
+  if (segment.state == Segment::State::exact) return true;
+  return along(segment, !forth, [&](std::uint16_t node) {
+    const GridPoint at = pools_.nodes[node].at;
+    return at == from || at == to || visit(at);
+  });
+}
+
+// Visits the nodes that a segment goes through, in their order along it or against it; stops where `visit` returns
+// false. The order: column by column in x, and within a column as the segment climbs or falls.
+template <typename Visit>
+bool Arrangement::along(const Segment& s, bool backwards, Visit visit) const {
+  const bool down = (s.high.y < s.low.y) != backwards;
+  const std::uint16_t end = first_node_from(s.high.x + 1), first = first_node_from(s.low.x);
+  std::uint16_t left = first, right = end;  // columns not visited yet: [left, right)
+  while (left < right) {
+    std::uint16_t column = left, after = left;
+    if (backwards) {
+      after = right;
+      column = static_cast<std::uint16_t>(right - 1);
+      while (column > left && pools_.nodes[column - 1].at.x == pools_.nodes[column].at.x) --column;
+      right = column;
+    } else {
+      while (after < right && pools_.nodes[after].at.x == pools_.nodes[column].at.x) ++after;
+      left = after;
+    }
+    for (std::uint16_t i = 0; i < after - column; ++i) {
+      const auto node = static_cast<std::uint16_t>(down ? after - 1 - i : column + i);
+      if (meets(s, pools_.nodes[node]) && !visit(node)) return false;
+    }
+  }
+  return true;
+}
 
 // The vertex that a half-edge starts at.
 inline GridPoint origin(const Pools& pools, HalfEdge h) { return pools.nodes[pools.edges[h >> 1].end[h & 1]].at; }

@@ -88,6 +88,11 @@ void Clipper::end_contour() {
   arrangement_.drop_segments_from(before_contour_);
 }
 
+void Clipper::edge(Role role, GridPoint from, GridPoint to) {
+  role_ = role;
+  if (!(from == to)) add_segment(from, to);
+}
+
 void Clipper::add_segment(GridPoint from, GridPoint to) {
   const bool forth = from < to;
   if (status_.ok() && !arrangement_.add_segment(forth ? from : to, forth ? to : from, role_)) {

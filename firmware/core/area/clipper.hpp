@@ -50,6 +50,9 @@ class Clipper {
   void vertex(std::int32_t x, std::int32_t y);
   void end_contour();
 
+  // One edge of a polygon whose edges close somehow; ends that coincide are no edge.
+  void edge(Role role, GridPoint from, GridPoint to);
+
   // Solve the polygons put in; then the lists hold the result, or nothing where the status is not ok: bad_argument
   // (field "x" or "y", needed: the value, limit) or pool_exhausted (where: segments, nodes, edges or contours; field:
   // "subject" or "clip", the polygon that asked for more; limit: the pool's capacity). Each is called once after
@@ -59,6 +62,7 @@ class Clipper {
   Status differ() { return solve(kSubjectOnly, kClipOnly); }  // inside: subject - clip; outside: clip - subject
 
   const Status& status() const { return status_; }
+  const Pools& pools() const { return pools_; }
   const ClipCounts& counts() const { return counts_; }
 
   // The contours of a list, for reading: first_main(list), next(), holes by first_hole(); 0 ends each chain.

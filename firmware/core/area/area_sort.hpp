@@ -1,0 +1,202 @@
+// Hidden surface removal by polygon area sorting (seed 2): polygons in, their visible pieces out. Pieces never overlap,
+// name the polygon they are of, lie in its plane, and cover every place that some polygon covers.
+//
+// The four steps of the seed: a rough depth sort by the nearest point; the x-y sort of all polygons to the area of the
+// front one, which is always its original copy; removal of what lies behind it; and recursion with whatever lies in
+// front of it. The stack of clip polygons tells a cyclic overlap from an error of the first sort.
+//
+// Before them polygons that pierce one another are split along their line (pierce.hpp), and all borders are led
+// together through the grid points where they cross (arrangement.hpp). From then on every clip meets in grid points
+// alone: nothing is rounded again, pieces and originals fit without a seam, and no error adds up. A border lies within
+// half a unit in x and y of where it should; one that was cut by a line (a window's side, or where polygons pierce)
+// within a unit.
+//
+// Translucent polygons are not drawn as pieces: whatever lies behind one names it among its films, and so does the
+// backdrop where nothing else lies there.
+#pragma once
+
+#include "core/area/borders.hpp"
+#include "core/area/clipper.hpp"
+#include "core/area/plane.hpp"
+
+namespace spanline::area {
+
+inline constexpr std::uint16_t kBackdrop = 0xffff;  // the source of pieces with films and nothing opaque behind them
+
+enum class Opacity : std::uint8_t { opaque, translucent };
+
+// A polygon under its name (its index), whose border is the original copy that others are clipped to.
+struct NamedPolygon {
+  Plane plane;
+  std::int64_t nearest;  // the plane's largest value on the border
+  Border border;
+  Box bounds;
+  std::uint16_t source;
+  Opacity opacity;
+  bool on_stack;  // is a clip polygon whose area is not finished
+};
+
+// A part of a polygon.
+struct Piece {
+  Border border;
+  Box bounds;
+  std::uint16_t name;   // the polygon
+  std::uint16_t films;  // translucent polygons in front of it
+  std::uint16_t next;
+};
+
+struct Film {
+  std::uint16_t name;
+  std::uint16_t next;
+};
+
+struct PieceList {
+  std::uint16_t first = 0, last = 0;
+};
+
+// One level of the recursion: a clip polygon, what is left of the list inside of it, and what it cut off.
+struct SortFrame {
+  std::uint16_t clip;
+  PieceList inside, outside;
+};
+
+struct SortPools {
+  PoolRef<NamedPolygon> polygons;
+  PoolRef<BorderEdge> borders;  // of originals and pieces
+  PoolRef<Piece> pieces;
+  PoolRef<Film> films;
+  PoolRef<SortFrame> frames;
+  Pools clipper;  // segments and nodes must hold all borders of one window and their intersections
+};
+
+// The owner.
+template <std::uint16_t kPolygons, std::uint16_t kBorders, std::uint16_t kPieces, std::uint16_t kFilms>
+struct SortStorage {
+  Pool<NamedPolygon, kPolygons> polygons;
+  Pool<BorderEdge, kBorders> borders;
+  Pool<Piece, kPieces> pieces;
+  Pool<Film, kFilms> films;
+  Pool<SortFrame, kPolygons + 1> frames;
+  PoolStorage<kBorders, kBorders, kBorders, kPieces> clipper;
+  SortPools refs() { return {polygons.ref(), borders.ref(), pieces.ref(), films.ref(), frames.ref(), clipper.refs()}; }
+};
+
+// What the sort did.
+struct SortCounts {
+  std::uint32_t clips = 0;        // runs of the clipper on two polygons
+  std::uint32_t pairs = 0;        // lateral comparisons: pieces held against a clip polygon
+  std::uint32_t depth_tests = 0;  // pieces inside an area compared with its clip polygon
+  std::uint32_t pierced = 0;      // pairs of polygons that pierce each other
+  std::uint32_t recursions = 0;   // errors of the first sort
+  std::uint32_t cyclic = 0;       // polygons in front of the clip polygon whose name was on the stack
+  std::uint32_t dropped = 0;      // polygons without area
+  std::uint16_t polygons = 0, borders = 0, pieces = 0, films = 0, frames = 0;  // most blocks in use at once
+};
+
+class AreaSort {
+ public:
+  AreaSort() = default;
+  explicit AreaSort(const SortPools& pools);
+
+  // Begins anew. What lies outside of the window is cut away.
+  void clear(const Box& window = Box::all());
+
+  // A plane polygon: concave, with holes, even-odd; contours in any direction and order. Its plane is that of the three
+  // of its corners that span (nearly) the largest triangle. `source` (below kBackdrop) is its name outside, and decides
+  // where depths are equal: the lower one is in front. Coordinates within ±kMaxCoordinate, depth within 0 … kMaxDepth,
+  // larger is nearer. The order of the polygons changes nothing in the result.
+  void begin_polygon(std::uint16_t source, Opacity opacity = Opacity::opaque);
+  void begin_contour() { corners_ = 0; }
+  void vertex(std::int32_t x, std::int32_t y, std::int32_t depth);
+  void end_contour();
+  void end_polygon();
+
+  // Sorts. Not ok: bad_argument (field "x", "y" or "depth") or pool_exhausted (where: the pool; index: the source of
+  // the polygon that asked for more; limit: its capacity), and then there are no pieces.
+  Status solve();
+
+  const Status& status() const { return status_; }
+  const SortCounts& counts() const { return counts_; }
+
+  // Hands the visible pieces to `sink`, ordered by nothing in particular but always the same: begin_piece(source,
+  // plane); film(source) from front to back; main contour, then its holes: begin_contour(), vertex(GridPoint)…,
+  // end_contour(); end_piece(). Contours run with the inside to the right (y up).
+  template <typename Sink>
+  void read(Sink& sink) const;
+
+ private:
+  void read_plane_corner(GridPoint at, std::int32_t depth);
+  void refuse(const char* field, std::int32_t value, std::int32_t limit);
+  bool exhausted(const char* pool, std::uint16_t capacity, std::uint16_t source);
+  bool borders_fit(std::uint16_t source);
+
+  std::uint16_t add_polygon(std::uint16_t source, const Plane& plane, Opacity opacity, const Border& border);
+  void add_backdrop();
+  void sort_by_source();
+  bool pierce_all();
+  bool pierce(std::uint16_t one, std::uint16_t other);
+  bool split(std::uint16_t name, const Line& line);
+  void share_meetings(std::uint16_t name, const Line& line);
+  bool settle();
+  bool make_pieces();
+  bool resolve(std::uint16_t name);
+
+  bool run();
+  std::uint16_t offender() const;
+  bool push(std::uint16_t clip);
+  bool divide(std::uint16_t piece);
+  bool keep_inside(std::uint16_t piece);
+  bool show_and_pop();
+  bool nearer(const Piece& piece, std::uint16_t clip) const;
+  bool sort_films(Piece& piece);
+  bool take_pieces(List list, const Piece& like, PieceList& to);
+  void append(PieceList& list, std::uint16_t piece);
+  void release(std::uint16_t piece);
+  NamedPolygon& polygon_of(const Piece& piece) const { return pools_.polygons[piece.name]; }
+
+  SortPools pools_;
+  Clipper clipper_;
+  Borders borders_;
+  FreeList<Piece, &Piece::next> pieces_;
+  FreeList<Film, &Film::next> films_;
+  std::uint16_t polygons_ = 0, depth_ = 0;
+  PieceList visible_;
+  Box window_;
+  Status status_;
+  SortCounts counts_;
+  bool translucent_ = false;  // some polygon is
+
+  // The polygon being put in.
+  std::uint16_t source_ = 0;
+  Opacity opacity_ = Opacity::opaque;
+  Border border_;
+  GridPoint start_, last_;
+  std::uint32_t corners_ = 0, plane_corners_ = 0;  // of the contour; of the triangle for the plane
+  GridPoint plane_at_[3];
+  std::int32_t plane_depth_[3];
+};
+
+template <typename Sink>
+void AreaSort::read(Sink& sink) const {
+  for (std::uint16_t i = visible_.first; i != 0; i = pools_.pieces[i].next) {
+    const Piece& piece = pools_.pieces[i];
+    sink.begin_piece(polygon_of(piece).source, polygon_of(piece).plane);
+    for (std::uint16_t f = piece.films; f != 0; f = pools_.films[f].next) {
+      sink.film(pools_.polygons[pools_.films[f].name].source);
+    }
+    GridPoint start;
+    bool open = false;
+    borders_.each(piece.border, [&](const BorderEdge& edge) {
+      if (!open) {
+        sink.begin_contour();
+        start = edge.from;
+      }
+      sink.vertex(edge.from);
+      open = !(edge.to == start);
+      if (!open) sink.end_contour();
+    });
+    sink.end_piece();
+  }
+}
+
+}  // namespace spanline::area

@@ -1,0 +1,205 @@
+// Polygons put in, and what is done to them before they are sorted.
+#include "core/area/area_sort.hpp"
+#include "core/area/cut.hpp"
+#include "core/area/sort.hpp"
+
+namespace spanline::area {
+
+AreaSort::AreaSort(const SortPools& pools)
+    : pools_(pools), clipper_(pools.clipper), borders_(pools.borders), pieces_(pools.pieces), films_(pools.films) {
+  pools_.polygons.limit(UINT16_MAX - 1);
+}
+
+void AreaSort::clear(const Box& window) {
+  borders_.clear();
+  pieces_.clear();
+  films_.clear();
+  polygons_ = depth_ = 0;
+  visible_ = {};
+  window_ = window;
+  status_ = {};
+  counts_ = {};
+  translucent_ = false;
+}
+
+void AreaSort::refuse(const char* field, std::int32_t value, std::int32_t limit) {
+  if (!status_.ok()) return;
+  status_ = {Code::bad_argument,
+             "polygon",
+             field,
+             source_,
+             0,
+             static_cast<std::uint32_t>(value),
+             static_cast<std::uint32_t>(limit)};
+}
+
+bool AreaSort::exhausted(const char* pool, std::uint16_t capacity, std::uint16_t source) {
+  if (status_.ok()) status_ = {Code::pool_exhausted, pool, "polygon", source, 0, capacity + 1u, capacity};
+  return false;
+}
+
+bool AreaSort::borders_fit(std::uint16_t source) {
+  return !borders_.full() || exhausted("borders", borders_.capacity(), source);
+}
+
+void AreaSort::begin_polygon(std::uint16_t source, Opacity opacity) {
+  CHECK(source != kBackdrop);
+  source_ = source;
+  opacity_ = opacity;
+  border_ = {};
+  plane_corners_ = 0;
+}
+
+void AreaSort::vertex(std::int32_t x, std::int32_t y, std::int32_t depth) {
+  if (!within(x, -kMaxCoordinate, kMaxCoordinate)) return refuse("x", x, kMaxCoordinate);
+  if (!within(y, -kMaxCoordinate, kMaxCoordinate)) return refuse("y", y, kMaxCoordinate);
+  if (!within(depth, 0, kMaxDepth)) return refuse("depth", depth, kMaxDepth);
+  const GridPoint at{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
+  read_plane_corner(at, depth);
+  if (corners_++ == 0) {
+    start_ = at;
+  } else if (!(at == last_)) {
+    borders_.append(border_, last_, at);
+  }
+  last_ = at;
+}
+
+// Puts a corner in the place of one of the three where that makes the triangle larger.
+void AreaSort::read_plane_corner(GridPoint at, std::int32_t depth) {
+  if (plane_corners_ < 3) {
+    plane_at_[plane_corners_] = at;
+    plane_depth_[plane_corners_++] = depth;
+    return;
+  }
+  const auto size = [](std::int64_t area) { return area < 0 ? -area : area; };
+  std::int64_t most = size(orientation(plane_at_[0], plane_at_[1], plane_at_[2]));
+  unsigned best = 3;
+  for (unsigned i = 0; i < 3; ++i) {
+    const std::int64_t area = size(orientation(plane_at_[(i + 1) % 3], plane_at_[(i + 2) % 3], at));
+    if (area <= most) continue;
+    most = area;
+    best = i;
+  }
+  if (best == 3) return;
+  plane_at_[best] = at;
+  plane_depth_[best] = depth;
+}
+
+void AreaSort::end_contour() {
+  if (corners_ > 1 && !(last_ == start_)) borders_.append(border_, last_, start_);
+}
+
+void AreaSort::end_polygon() {
+  const bool flat = plane_corners_ < 3 || orientation(plane_at_[0], plane_at_[1], plane_at_[2]) == 0;
+  if (flat) ++counts_.dropped;
+  if (!flat) cut_to(borders_, border_, window_);
+  if (!borders_fit(source_) || !status_.ok()) return;
+  if (flat || border_.first == 0) return borders_.release(border_);
+  add_polygon(source_, Plane::through(plane_at_, plane_depth_), opacity_, border_);
+  translucent_ |= opacity_ == Opacity::translucent;
+}
+
+std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Opacity opacity, const Border& border) {
+  if (polygons_ == pools_.polygons.capacity()) {
+    exhausted("polygons", polygons_, source);
+    return 0;
+  }
+  pools_.polygons[++polygons_] = {plane, 0, border, borders_.bounds(border), source, opacity, false};
+  counts_.polygons = polygons_;
+  return polygons_;
+}
+
+// Far behind everything, and never a clip polygon.
+void AreaSort::add_backdrop() {
+  const GridPoint a = window_.low, c = window_.high;
+  const GridPoint b{c.x, a.y}, d{a.x, c.y};
+  Border border;
+  for (const auto& [from, to] : {std::pair{a, d}, {d, c}, {c, b}, {b, a}}) borders_.append(border, from, to);
+  if (!borders_fit(kBackdrop)) return;
+  const std::uint16_t name = add_polygon(kBackdrop, Plane{0, 0, -(std::int64_t{1} << 58)}, Opacity::opaque, border);
+  if (name != 0) pools_.polygons[name].on_stack = true;
+}
+
+void AreaSort::sort_by_source() {
+  sort_blocks(pools_.polygons, polygons_,
+              [](const NamedPolygon& a, const NamedPolygon& b) { return a.source < b.source; });
+}
+
+// Leads all borders through the points where they cross.
+bool AreaSort::settle() {
+  Arrangement arrangement(clipper_.pools());
+  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+    const NamedPolygon& polygon = pools_.polygons[name];
+    bool fits = true;
+    borders_.each(polygon.border, [&](const BorderEdge& edge) {
+      const bool forth = edge.from < edge.to;
+      fits = fits && arrangement.add_segment(forth ? edge.from : edge.to, forth ? edge.to : edge.from, Role::subject);
+    });
+    if (!fits) return exhausted("segments", arrangement.full().capacity, polygon.source);
+  }
+  arrangement.merge_segments();
+  if (!arrangement.intersect()) return exhausted(arrangement.full().pool, arrangement.full().capacity, kBackdrop);
+  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+    NamedPolygon& polygon = pools_.polygons[name];
+    Border led;
+    borders_.each(polygon.border, [&](const BorderEdge& edge) {
+      GridPoint from = edge.from;
+      arrangement.lead(edge.from, edge.to, [&](GridPoint through) {
+        borders_.append(led, from, through);
+        from = through;
+        return true;
+      });
+      borders_.append(led, from, edge.to);
+    });
+    borders_.release(polygon.border);
+    polygon.border = led;
+    if (!borders_fit(polygon.source)) return false;
+  }
+  return true;
+}
+
+// Makes proper contours of a polygon's border, and its pieces, which are several where it has folded or touches itself.
+bool AreaSort::resolve(std::uint16_t name) {
+  NamedPolygon& polygon = pools_.polygons[name];
+  clipper_.clear();
+  borders_.each(polygon.border, [&](const BorderEdge& edge) { clipper_.edge(Role::subject, edge.from, edge.to); });
+  if (const Status status = clipper_.unite(); !status.ok()) {
+    return exhausted(status.where, static_cast<std::uint16_t>(status.limit), polygon.source);
+  }
+  CHECK(clipper_.counts().rounded == 0);
+  borders_.release(polygon.border);
+  PieceList pieces;
+  if (!take_pieces(List::inside, {{}, {}, name, 0, 0}, pieces)) return false;
+  for (std::uint16_t i = pieces.first; i != 0; i = pieces_[i].next) {
+    borders_.join(polygon.border, borders_.copy(pieces_[i].border));
+  }
+  if (!borders_fit(polygon.source)) return false;
+  SortFrame& base = pools_.frames[1];
+  for (std::uint16_t i = pieces.first; i != 0;) {
+    const std::uint16_t next = pieces_[i].next;
+    append(base.inside, i);
+    i = next;
+  }
+  polygon.bounds = borders_.bounds(polygon.border);
+  return true;
+}
+
+bool AreaSort::make_pieces() {
+  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+    NamedPolygon& polygon = pools_.polygons[name];
+    polygon.nearest = INT64_MIN;
+    borders_.each_end(polygon.border, [&](GridPoint p) {
+      const std::int64_t value = polygon.plane.value(p);
+      if (value > polygon.nearest) polygon.nearest = value;
+    });
+  }
+  sort_blocks(pools_.polygons, polygons_, [](const NamedPolygon& a, const NamedPolygon& b) {
+    return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
+  });
+  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+    if (!resolve(name)) return false;
+  }
+  return true;
+}
+
+}  // namespace spanline::area
