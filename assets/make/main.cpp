@@ -17,12 +17,6 @@ void save(const std::string& folder, const std::string& name, const Mesh& mesh, 
   if (!out) throw std::runtime_error("cannot write " + folder + "/" + name);
 }
 
-Mesh dice(const std::string& path, int steps, bool triangles) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error("cannot read " + path);
-  return spanline::make::dice_patches(in, steps, triangles);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -33,8 +27,10 @@ int main(int argc, char** argv) try {
   namespace make = spanline::make;
   const std::string patches = argv[1];
   const std::string folder = argv[2];
-  save(folder, "teapot.obj", dice(patches, 4, true), "Newell's teapot, each patch diced into 4 x 4 x 2 triangles");
-  save(folder, "teapot_fine.obj", dice(patches, 6, false), "Newell's teapot, each patch diced into 6 x 6 quads");
+  save(folder, "teapot.obj", make::dice_patches(patches, 4, true),
+       "Newell's teapot, each patch diced into 4 x 4 x 2 triangles");
+  save(folder, "teapot_fine.obj", make::dice_patches(patches, 6, false),
+       "Newell's teapot, each patch diced into 6 x 6 quads");
   save(folder, "gear20.obj", make::gear(20, 5), "A gear of 20 teeth");
   save(folder, "gear12.obj", make::gear(12, 4), "A gear of 12 teeth that meshes with gear20.obj");
   save(folder, "gauge_rim.obj", make::gauge_rim(), "The rim of a round gauge");

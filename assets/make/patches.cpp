@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <stdexcept>
 
+#include "assetc/bpt.hpp"
 #include "shapes.hpp"
 
 namespace spanline::make {
@@ -9,25 +9,16 @@ namespace {
 
 using Patch = std::array<std::array<Vec, 4>, 4>;
 
-std::vector<Patch> read_bpt(std::istream& in) {
-  int count = 0;
-  in >> count;
-  std::vector<Patch> patches(static_cast<std::size_t>(count));
-  for (Patch& patch : patches) {
-    int degree_u = 0;
-    int degree_v = 0;
-    in >> degree_u >> degree_v;
-    if (degree_u != 3 || degree_v != 3) throw std::runtime_error("only bicubic patches can be diced");
-    for (auto& row : patch) {
-      for (Vec& point : row) {
-        Vec z_up;
-        in >> z_up.x >> z_up.y >> z_up.z;
-        point = {z_up.x, z_up.z, -z_up.y};
-      }
+// z up becomes y up.
+Patch upright(const host::BptPatch& z_up) {
+  Patch patch;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const host::Vec3 p = z_up.points[i][j];
+      patch[i][j] = {p.x, p.z, -p.y};
     }
   }
-  if (!in) throw std::runtime_error("the patch file ends too early");
-  return patches;
+  return patch;
 }
 
 std::array<double, 4> bernstein(double t) {
@@ -72,9 +63,10 @@ Vec normal_at(const Patch& patch, double u, double v) {
 
 }  // namespace
 
-Mesh dice_patches(std::istream& bpt, int steps, bool triangles) {
+Mesh dice_patches(const std::string& bpt, int steps, bool triangles) {
   Mesh mesh;
-  for (Patch patch : read_bpt(bpt)) {
+  for (const host::BptPatch& z_up : host::read_bpt(bpt)) {
+    Patch patch = upright(z_up);
     turn_bottom(patch);
     const auto corner = [&](int i, int j) -> Mesh::Corner {
       const double u = static_cast<double>(i) / steps;

@@ -7,8 +7,8 @@
 
 namespace spanline::make {
 
-// Bezier patches (the .bpt text, z up) diced into `steps` x `steps` quads each, or twice as many triangles.
-Mesh dice_patches(std::istream& bpt, int steps, bool triangles);
+// The Bezier patches of a .bpt file, z up, diced into `steps` x `steps` quads each, or twice as many triangles.
+Mesh dice_patches(const std::string& bpt, int steps, bool triangles);
 
 // A gear in the x-y plane with a bore, a raised hub that pierces the web, and `holes` round holes in the web (a divisor
 // of `teeth`); its faces are concave n-gons from hole to hole. The pitch radius is teeth / 20, so gears of any two

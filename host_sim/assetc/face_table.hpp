@@ -15,6 +15,7 @@ struct TableFace {
   std::uint32_t corner_count;
   std::vector<std::uint16_t> rings;  // their lengths; empty: a single one
   std::uint16_t material;
+  bool patch = false;
 };
 
 // Appends a face after those that `tables` has: its group, ring lengths and number. `place` is for messages. Throws

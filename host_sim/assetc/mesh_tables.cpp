@@ -93,7 +93,7 @@ void add_normals(const MeshSource& mesh, const VertexTable& vertices, bool smoot
 
 void add_faces(const MeshSource& mesh, std::uint16_t default_material, MeshTables& tables) {
   for (const MeshFace& face : mesh.faces) {
-    TableFace entry{face.first_corner, face.corner_count, {}, default_material};
+    TableFace entry{face.first_corner, face.corner_count, {}, default_material, mesh.of_patches()};
     const auto rings = mesh.rings.begin() + face.first_ring;
     if (face.ring_count > 1) entry.rings.assign(rings, rings + face.ring_count);
     if (face.material != kNone) entry.material = static_cast<std::uint16_t>(face.material);
@@ -136,7 +136,7 @@ MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>&
     for (const ObjCorner& vertex : vertices.vertices()) {
       tables.positions.push_back(quantise(mesh.positions[static_cast<std::size_t>(vertex.position)]));
     }
-    add_normals(mesh, vertices, smooth, tables);
+    if (!mesh.of_patches()) add_normals(mesh, vertices, smooth, tables);
   }
   add_faces(mesh, static_cast<std::uint16_t>(materials.size() - 1), tables);
   return tables;

@@ -19,7 +19,8 @@ struct MaterialSpec {
   Shading shading = Shading::kFlat;
 };
 
-// A face of one or more rings; the first is the outline, whose direction says which side is the front.
+// A face of one or more rings; the first is the outline, whose direction says which side is the front. With ring_count
+// FaceGroup::kPatches it is a patch, whose corners are its sixteen control points.
 struct MeshFace {
   std::uint32_t first_corner;
   std::uint32_t corner_count;
@@ -35,10 +36,12 @@ struct MeshSource {
   std::vector<Vec3> normals;
   std::vector<ObjCorner> corners;
   std::vector<std::uint16_t> rings;  // ring lengths of faces with several
-  std::vector<MeshFace> faces;
+  std::vector<MeshFace> faces;       // all polygons or all patches
+
+  bool of_patches() const { return !faces.empty() && faces[0].ring_count == FaceGroup::kPatches; }
 };
 
-// How the faces of an OBJ are shaded by themselves.
+// How the faces of an OBJ, or patches, are shaded by themselves.
 enum class MeshShading { automatic, flat, gouraud, unlit };
 
 struct InstanceSpec {

@@ -4,6 +4,7 @@
 
 #include "assetc/json_node.hpp"
 #include "assetc/motion_json.hpp"
+#include "assetc/patch_mesh.hpp"
 #include "assetc/text_file.hpp"
 #include "core/geom/screen.hpp"
 
@@ -157,14 +158,22 @@ void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names
   std::int32_t material = kNone;
   if (const auto given = node.find("material")) material = look_up(*given, materials, "material");
   for (const JsonNode& vertex : node.require("vertices").elements(3)) mesh.positions.push_back(vertex.point());
+  if (const auto patches = node.find("patches")) {
+    read_inline_patches(*patches, mesh, material);
+    scene.meshes.push_back(std::move(mesh));
+    return;
+  }
   const std::vector<JsonNode> faces = node.require("faces").elements(1);
   if (faces.size() > kMaxSceneFaces) node.require("faces").fail("more than 65535 faces in one mesh");
   for (const JsonNode& face : faces) read_face(face, mesh, material);
   scene.meshes.push_back(std::move(mesh));
 }
 
-void read_obj_mesh(const JsonNode& node, SceneDescription& scene) {
-  const JsonNode file = node.require("obj");
+// A mesh from the file that `key` names: add(path, name, place, shading).
+template <typename Add>
+void read_mesh_file(const JsonNode& node, const char* key, const Add& add) {
+  node.allow_keys({"name", key, "shading"});
+  const JsonNode file = node.require(key);
   const std::string path = path_beside(node.file(), file.text());
   const std::string name = node.require("name").text();
   auto shading = MeshShading::automatic;
@@ -175,7 +184,7 @@ void read_obj_mesh(const JsonNode& node, SceneDescription& scene) {
                                                 {"unlit", MeshShading::unlit}});
   }
   try {
-    add_obj(scene, read_obj(path), name, file.place(), shading);
+    add(path, name, file.place(), shading);
   } catch (const InputError& error) {
     file.fail(error.what());
   }
@@ -185,11 +194,16 @@ void read_meshes(const JsonNode& node, SceneDescription& scene, const Names& mat
   for (const JsonNode& each : node.elements(1)) {
     if (!each.is_object()) each.fail("must be an object");
     add_name(each.require("name"), names, scene.meshes.size());
+    const auto add_obj_file = [&](const auto& path, const auto&... rest) { add_obj(scene, read_obj(path), rest...); };
+    const auto add_bpt_file = [&](const auto& path, const auto&... rest) {
+      add_patches(scene, read_bpt(path), rest...);
+    };
     if (each.find("obj")) {
-      each.allow_keys({"name", "obj", "shading"});
-      read_obj_mesh(each, scene);
+      read_mesh_file(each, "obj", add_obj_file);
+    } else if (each.find("bpt")) {
+      read_mesh_file(each, "bpt", add_bpt_file);
     } else {
-      each.allow_keys({"name", "vertices", "faces", "material"});
+      each.allow_keys({"name", "vertices", each.find("patches") ? "patches" : "faces", "material"});
       read_inline_mesh(each, scene, materials);
     }
   }
@@ -201,6 +215,7 @@ void read_instances(const JsonNode& node, SceneDescription& scene, const Names& 
     InstanceSpec instance;
     instance.mesh = look_up(each.require("mesh"), meshes, "mesh");
     if (const auto material = each.find("material")) instance.material = look_up(*material, materials, "material");
+    instance.cull = !scene.meshes[static_cast<std::size_t>(instance.mesh)].of_patches();
     if (const auto cull = each.find("cull")) instance.cull = cull->boolean();
     if (const auto hidden = each.find("hidden")) instance.hidden = hidden->boolean();
     read_placement(each, instance);

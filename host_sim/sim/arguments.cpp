@@ -27,8 +27,8 @@ constexpr std::int64_t kMaxFrame = 1'000'000'000;
 
 }  // namespace
 
-const std::vector<std::string> kPoolNames = {"facets",  "edges",   "polygons", "segments",
-                                             "samples", "implied", "vertices"};
+const std::vector<std::string> kPoolNames = {"facets",  "edges",    "polygons",     "segments",      "samples",
+                                             "implied", "vertices", "patch_facets", "patch_vertices"};
 
 std::pair<std::uint16_t, std::uint16_t> parse_size(const std::string& option, std::string_view text) {
   const std::vector<std::string_view> sides = split(text, 'x');

@@ -10,6 +10,8 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "segments") return &segments;
   if (pool == "samples") return &samples;
   if (pool == "implied") return &implied;
+  if (pool == "patch_facets") return &patch_facets;
+  if (pool == "patch_vertices") return &patch_vertices;
   return nullptr;
 }
 
@@ -24,7 +26,11 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       shades_(sizes.segments),
       active_(sizes.segments),
       samples_{Blocks<std::int16_t>(sizes.samples), Blocks<std::int16_t>(sizes.samples)},
-      implied_(sizes.implied) {}
+      implied_(sizes.implied),
+      patch_facets_(sizes.patch_facets),
+      patch_vertices_(sizes.patch_vertices),
+      patch_normals_(sizes.patch_vertices),
+      patch_tolerance_(sizes.patch_tolerance) {}
 
 FrameStorage HostMemory::storage() {
   return {screen_,
@@ -38,7 +44,8 @@ FrameStorage HostMemory::storage() {
            active_.ref(),
            {samples_[0].ref(), samples_[1].ref()},
            implied_.ref(),
-           nullptr}};
+           nullptr},
+          {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), patch_tolerance_}};
 }
 
 }  // namespace spanline::host

@@ -10,7 +10,8 @@ namespace spanline::host {
 
 struct PoolSizes {
   std::uint16_t facets = 65535, vertices = 65535, polygons = 65534, edges = 65534, segments = 65534, samples = 32767,
-                implied = 32767;
+                implied = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices;
+  std::uint16_t patch_tolerance = 8;  // 1/16 px
 
   // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
   std::uint16_t* find(const std::string& pool);
@@ -49,6 +50,10 @@ class HostMemory {
   Blocks<ActiveSegment> active_;
   Blocks<std::int16_t> samples_[2];
   Blocks<ImpliedEdge> implied_;
+  Blocks<DicedFacet> patch_facets_;
+  Blocks<ScreenPoint> patch_vertices_;
+  Blocks<Normal10> patch_normals_;
+  std::uint16_t patch_tolerance_;
 };
 
 }  // namespace spanline::host

@@ -18,6 +18,14 @@ Comparator parse_comparator(const std::string& text) {
   throw UsageError("--comparator: '" + printable(text) + "' is not one of plane, midpoint");
 }
 
+// In 1/16 px.
+std::uint16_t parse_tolerance(const std::string& text) {
+  constexpr double kFinest = 1.0 / 16, kCoarsest = 64;
+  const double px = parse_real("--tolerance", text);
+  if (!(px >= kFinest && px <= kCoarsest)) throw UsageError("--tolerance: must be from 0.0625 to 64 pixels");
+  return static_cast<std::uint16_t>(px * 16);
+}
+
 Picture picture_of_ids(const Rendering& rendering) {
   Picture picture(rendering.picture.width, rendering.picture.height);
   std::uint8_t* rgb = picture.rgb.data();
@@ -53,7 +61,9 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   verb_->add_option("--walker", walker_, "what finds the visible spans: segments");
   verb_->add_option("--bands", bands_, "prepare the picture in at least so many equal bands");
   verb_->add_option("--pools", pools_,
-                    "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices");
+                    "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, "
+                    "patch_facets, patch_vertices");
+  verb_->add_option("--tolerance", tolerance_, "px that an edge of a diced patch may be off it (default: 0.5)");
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");
   panel_.add_to(*verb_);
@@ -105,6 +115,7 @@ EngineOptions RenderCommand::engine_options(const SceneDescription& scene) const
     throw UsageError("--walker: '" + printable(*walker_) + "' is not available; this build has: segments");
   }
   if (bands_) options.bands = static_cast<std::uint16_t>(parse_integer("--bands", *bands_, 1, kMaxExtent));
+  if (tolerance_) options.pools.patch_tolerance = parse_tolerance(*tolerance_);
   if (pools_) {
     for (const PoolLimit& limit : parse_pools("--pools", *pools_)) {
       std::uint16_t& size = *options.pools.find(limit.name);

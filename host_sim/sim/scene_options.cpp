@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "assetc/camera.hpp"
+#include "assetc/patch_mesh.hpp"
 #include "assetc/scene_json.hpp"
 #include "sim/arguments.hpp"
 #include "sim/usage_error.hpp"
@@ -27,7 +28,7 @@ void reshade(SceneDescription& scene, MeshShading shading) {
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& verb) {
-  verb.add_option("SCENE", scene_, "an .obj or a scene .json (docs/scene.md)")->required();
+  verb.add_option("SCENE", scene_, "an .obj, a .bpt or a scene .json (docs/scene.md)")->required();
   verb.add_option("--size", size_, "WxH in pixels, at most 2046 each (default: the scene's, or 320x240)");
   verb.add_option("--eye", eye_, "x,y,z of the viewer (default: the bounding sphere fits 90 % of the height)");
   verb.add_option("--target", target_, "x,y,z of the point in the middle of the picture (default: the scene's centre)");
@@ -63,7 +64,8 @@ SceneDescription SceneOptions::read(bool on_screen) const {
   const MeshShading shading = shading_ ? parse_shading(*shading_) : MeshShading::automatic;
   if (extension == ".obj") return on_screen ? describe_screen_obj(scene_) : describe_obj(scene_, shading);
   if (on_screen) throw UsageError("--screen: SCENE must be an .obj");
-  if (extension != ".json") throw UsageError(scene_ + ": is neither an .obj nor a scene .json");
+  if (extension == ".bpt") return describe_bpt(scene_, shading);
+  if (extension != ".json") throw UsageError(scene_ + ": is none of .obj, .bpt and scene .json");
   SceneDescription scene = read_scene(scene_);
   if (shading_) reshade(scene, shading);
   return scene;

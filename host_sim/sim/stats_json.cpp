@@ -1,5 +1,7 @@
 #include "sim/stats_json.hpp"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -16,7 +18,24 @@ void add_ring(const MeshSource& mesh, std::size_t first, std::size_t count,
   }
 }
 
+// The sides of patches: two share one where they share its four control points, in either direction.
+std::size_t distinct_sides(const MeshSource& mesh) {
+  constexpr std::size_t kSides[4][4] = {{0, 1, 2, 3}, {12, 13, 14, 15}, {0, 4, 8, 12}, {3, 7, 11, 15}};
+  std::set<std::array<std::int32_t, 4>> sides;
+  for (const MeshFace& face : mesh.faces) {
+    for (const auto& corners : kSides) {
+      std::array<std::int32_t, 4> side, back;
+      for (std::size_t i = 0; i < 4; ++i) {
+        side[i] = back[3 - i] = mesh.corners[face.first_corner + corners[i]].position;
+      }
+      sides.insert(std::min(side, back));
+    }
+  }
+  return sides.size();
+}
+
 std::size_t distinct_edges(const MeshSource& mesh) {
+  if (mesh.of_patches()) return distinct_sides(mesh);
   std::set<std::pair<std::int32_t, std::int32_t>> edges;
   for (const MeshFace& face : mesh.faces) {
     if (face.ring_count == 1) {
@@ -33,6 +52,12 @@ std::size_t distinct_edges(const MeshSource& mesh) {
   return edges.size();
 }
 
+// Pixels that show a patch.
+std::size_t patch_pixels(const SceneCounts& counts, const Rendering& rendering) {
+  return static_cast<std::size_t>(std::count_if(rendering.ids.begin(), rendering.ids.end(),
+                                                [&](std::uint32_t id) { return id != 0 && counts.is_patch[id - 1]; }));
+}
+
 double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 }  // namespace
@@ -42,8 +67,10 @@ SceneCounts count_scene(const SceneDescription& scene) {
   for (const MeshSource& mesh : scene.meshes) edges.push_back(distinct_edges(mesh));
   SceneCounts counts;
   for (const InstanceSpec& instance : scene.instances) {
+    const MeshSource& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    counts.is_patch.insert(counts.is_patch.end(), mesh.faces.size(), mesh.of_patches());
     if (instance.hidden) continue;
-    counts.polygons += scene.meshes[static_cast<std::size_t>(instance.mesh)].faces.size();
+    counts.polygons += mesh.faces.size();
     counts.edges += edges[static_cast<std::size_t>(instance.mesh)];
   }
   return counts;
@@ -76,6 +103,14 @@ std::string stats_json(const SceneCounts& counts, const Rendering& rendering, co
   pool("implied", pools.implied, s.max_implied);
   pool("vertices", pools.vertices, s.max_vertices);
   out["bands"] = s.bands;
+  if (std::find(counts.is_patch.begin(), counts.is_patch.end(), true) != counts.is_patch.end()) {
+    pool("patch_facets", pools.patch_facets, s.max_patch_facets);
+    pool("patch_vertices", pools.patch_vertices, s.max_patch_vertices);
+    const std::size_t pixels = patch_pixels(counts, rendering);
+    out["points_emitted"] = s.points_emitted;
+    out["distinct_pixels"] = pixels;
+    out["redundancy"] = ratio(s.points_emitted, static_cast<double>(pixels));
+  }
   return out.dump(2) + "\n";
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "assetc/scene_description.hpp"
 #include "sim/engine.hpp"
@@ -13,6 +14,7 @@ namespace spanline::host {
 struct SceneCounts {
   std::size_t polygons = 0;
   std::size_t edges = 0;
+  std::vector<bool> is_patch;  // by face number, hidden ones too
 };
 SceneCounts count_scene(const SceneDescription& scene);
 

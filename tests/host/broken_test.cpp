@@ -6,6 +6,7 @@
 #include <set>
 
 #include "assetc/compile.hpp"
+#include "assetc/patch_mesh.hpp"
 #include "assetc/scene_json.hpp"
 #include "host/support.hpp"
 
@@ -13,7 +14,9 @@ namespace spanline::host {
 namespace {
 
 void load(const std::string& path) {
-  compile(path.ends_with(".obj") ? describe_obj(path, MeshShading::automatic) : read_scene(path));
+  compile(path.ends_with(".obj")   ? describe_obj(path, MeshShading::automatic)
+          : path.ends_with(".bpt") ? describe_bpt(path, MeshShading::automatic)
+                                   : read_scene(path));
 }
 
 TEST(BrokenFiles, EachGivesTheExpectedLine) {
@@ -28,7 +31,7 @@ TEST(BrokenFiles, TheListIsWhole) {
   std::set<std::string> listed;
   for (const BrokenFile& file : broken_files()) listed.insert(file.path);
   EXPECT_GE(listed.size(), 60u);
-  for (const char* folder : {"broken/obj", "broken/scene"}) {
+  for (const char* folder : {"broken/bpt", "broken/obj", "broken/scene"}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".mtl") continue;  // read by the .obj beside it
       EXPECT_TRUE(listed.contains(entry.path().string())) << entry.path();

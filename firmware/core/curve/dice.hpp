@@ -20,24 +20,48 @@ struct ClipPatch {
   ClipPoint at[4][4];
 };
 
+// A row of a patch's grid before it is stepped off.
+struct GridRow {
+  ClipPoint control[4];
+  ClipPoint left, right;  // its first and last vertex
+  std::uint32_t own = 0;  // steps of the patch's own first or last row, where this is one; 0: an inner row
+};
+
 // Steps a patch off as a grid of vertices, row by row. Its rows and columns have as many steps as the most curved of
 // its four rows and of its four columns of control points need; on each side the vertices are the side's own
 // (GridSide), which depend on the side's four control points alone.
 class PatchDicer {
  public:
+  // `patch` must outlive the dicer.
   PatchDicer(const ClipPatch& patch, const DiceView& view);
 
   // Facets along u and along v: at least 1, at most kMaxSteps.
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return rows_; }
 
-  // Writes the next of the rows() + 1 rows of vertices: columns() + 1 of them.
-  void next_row(Slice<ClipPoint> row);
+  // The next of the rows() + 1 rows. All its vertices lie in the hull of its control points, left and right.
+  GridRow next_row();
+
+  // Hands the row's columns() + 1 vertices in order to `vertex(const ClipPoint&)`.
+  template <typename Vertex>
+  void step_off(const GridRow& row, Vertex&& vertex) const {
+    if (row.own != 0) {
+      GridSide side(row.control, row.own, columns_);
+      for (std::uint32_t i = 0; i < columns_; ++i, side.step()) vertex(side.at());
+      vertex(side.at());
+      return;
+    }
+    SideWalk walk(row.control, columns_);
+    vertex(row.left);
+    for (std::uint32_t i = 1; i < columns_; ++i) {
+      walk.step();
+      vertex(walk.at());
+    }
+    vertex(row.right);
+  }
 
  private:
-  void inner_row(Slice<ClipPoint> row) const;
-
-  ClipPatch patch_;
+  const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
   std::uint32_t own_first_, own_last_;  // steps of the sides along u
   std::uint32_t row_ = 0;
@@ -73,9 +97,14 @@ constexpr PatchFacet facet_of(const ClipPoint& a, const ClipPoint& b, const Clip
 template <typename Sink>
 void dice(const ClipPatch& patch, const DiceView& view, Slice<ClipPoint> above, Slice<ClipPoint> below, Sink&& sink) {
   PatchDicer dicer(patch, view);
-  dicer.next_row(above);
+  const auto fill = [&](Slice<ClipPoint> row) {
+    CHECK(row.size() > dicer.columns());
+    std::uint32_t i = 0;
+    dicer.step_off(dicer.next_row(), [&](const ClipPoint& p) { row[i++] = p; });
+  };
+  fill(above);
   for (std::uint32_t row = 0; row < dicer.rows(); ++row) {
-    dicer.next_row(below);
+    fill(below);
     for (std::uint32_t i = 0; i < dicer.columns(); ++i) {
       const PatchFacet facet = facet_of(above[i], above[i + 1], below[i + 1], below[i]);
       if (facet.count >= 3) sink(facet);

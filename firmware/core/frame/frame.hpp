@@ -57,6 +57,9 @@ class Frame {
       s.bands = bands_;
       s.max_facets = most_facets_;
       s.max_vertices = vertices_;
+      s.max_patch_facets = patches_.most_facets();
+      s.max_patch_vertices = patches_.most_vertices();
+      s.points_emitted = patches_.points();
     }
     return s;
   }
@@ -69,9 +72,21 @@ class Frame {
   std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
   bool file_facets(std::uint16_t top, std::uint16_t bottom);
   bool file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
+  bool file_patches(std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
+  bool wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count);
   bool begin_facets(std::uint16_t line);
   Room begin_facet(std::uint16_t face, std::uint16_t line);
+  Room begin_patch_facet(std::uint16_t face, const DicedFacet& facet, std::uint16_t line);
   const LightRig& lights();
+  // Whether facets of a patch are shaded from normals at their corners.
+  bool keeps_normals(const MaterialRecord& material) const {
+    return material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && patches_.has_normals();
+  }
+  // One line needs more of a pool than there is.
+  void note_full(const char* pool, std::uint32_t needed, std::uint32_t limit, std::uint16_t line) {
+    note({Code::pool_exhausted, pool, "", 0, line, needed, limit});
+    if constexpr (kOptions.statistics) vsg_.statistics().facets_left_out += needed - limit;
+  }
   void note(const Status& status) {
     if (status_.ok()) status_ = status;
   }
@@ -83,15 +98,17 @@ class Frame {
   SceneView scene_;
   CameraRecord camera_{};
   FacetReader reader_;
+  PatchSource patches_;
   LightRig lights_;
   std::uint32_t lit_instance_ = UINT32_MAX;
   VisibleSegments<kOptions> vsg_;
   Painter painter_;
   [[no_unique_address]] SpanTap tap_;
   Status status_;
-  Band band_;                  // the one that prepare() returned; top: the next line
-  std::uint16_t planned_ = 0;  // end of the run of lines whose facets are filed
-  std::uint16_t height_ = 0;   // lines of the run planned last: where the next plan begins
+  Band band_;                         // the one that prepare() returned; top: the next line
+  std::uint16_t planned_ = 0;         // end of the run of lines whose facets are filed
+  std::uint16_t height_ = 0;          // lines of the run planned last: where the next plan begins
+  std::uint16_t polygons_filed_ = 0;  // of the facets filed; those of patches follow them, in patches_'s order
   std::uint16_t bands_ = 0, most_facets_ = 0, vertices_ = 0;
 };
 

@@ -23,6 +23,7 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       facets_(storage.facets),
       buckets_(storage.buckets),
       cache_(storage.vertices),
+      patches_(storage.patches, storage.screen),
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
       height_(storage.screen.height) {}
@@ -39,6 +40,7 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     status_ = {};
     vsg_.clear_status();
     if constexpr (kOptions.statistics) vsg_.clear_statistics();
+    patches_.clear_statistics();
     bands_ = most_facets_ = 0;
   }
   band_ = {};
@@ -81,6 +83,7 @@ std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
 template <FrameOptions kOptions>
 bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
   for (std::uint16_t i = 1; i <= bottom - top; ++i) buckets_[i] = 0;
+  patches_.begin_band(top, bottom);
   std::uint16_t count = 0;
   std::uint32_t refused = 0;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
@@ -88,23 +91,58 @@ bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
     if (bottom - top > 1) return false;
     ++refused;
   }
-  if (refused != 0) {
-    const std::uint16_t capacity = facets_.capacity();
-    note({Code::pool_exhausted, "facets", "", 0, top, capacity + refused, capacity});
-    if constexpr (kOptions.statistics) vsg_.statistics().facets_left_out += refused;
-  }
+  if (refused != 0) note_full("facets", facets_.capacity() + refused, facets_.capacity(), top);
+  polygons_filed_ = count;
+  if (scene_.has_patches() && !file_patches(top, bottom, count)) return false;
   if (count > most_facets_) most_facets_ = count;
+  return true;
+}
+
+// Dices the patches and files their facets behind those of polygons. False as file_facets().
+template <FrameOptions kOptions>
+bool Frame<kOptions>::file_patches(std::uint16_t top, std::uint16_t bottom, std::uint16_t& count) {
+  bool all = true;
+  std::uint32_t refused = 0;
+  for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
+    reader_.select(face);
+    if (!reader_.is_patch() || (reader_.instance().flags & InstanceRecord::kHidden) != 0) {
+      face = reader_.last_face();
+      continue;
+    }
+    const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+    const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+    all = patches_.dice(reader_, {&lights(), &material, screen_.format, keeps_normals(material), two_sided}) && all;
+    if (!all && bottom - top > 1) return false;
+    for (auto next = static_cast<std::uint16_t>(count - polygons_filed_ + 1); next <= patches_.count(); ++next) {
+      if (wait(face, patches_.first_line(patches_[next]), top, count)) continue;
+      if (bottom - top > 1) return false;
+      refused = patches_.count() - next + 1u;
+      break;
+    }
+  }
+  if (refused != 0) note_full("facets", facets_.capacity() + refused, facets_.capacity(), top);
+  if (!all) {
+    const PatchSource::Shortage shortage = patches_.shortage();
+    note_full(shortage.pool, shortage.needed, shortage.limit, top);
+  }
   return true;
 }
 
 template <FrameOptions kOptions>
 bool Frame<kOptions>::file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count) {
   reader_.select(face);
+  if (reader_.is_patch()) return true;
   const FacetExtent extent = reader_.extent();
   if (extent.empty() || extent.end_line <= top || extent.first_line >= bottom) return true;
   if (extent.right <= 0 || extent.left >= screen_.width) return true;
+  return wait(face, extent.first_line, top, count);
+}
+
+// Files a facet under its first line in the band. False where there is no room.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count) {
   if (count == facets_.capacity()) return false;
-  const std::int32_t first = extent.first_line > top ? extent.first_line : top;
+  const std::int32_t first = first_line > top ? first_line : top;
   std::uint16_t& bucket = buckets_[static_cast<std::uint32_t>(first - top + 1)];
   facets_[++count] = {bucket, face};
   bucket = count;
@@ -141,9 +179,29 @@ template <FrameOptions kOptions>
 bool Frame<kOptions>::begin_facets(std::uint16_t line) {
   const auto bucket = static_cast<std::uint32_t>(line - (planned_ - height_) + 1);
   for (std::uint16_t at = buckets_[bucket]; at != 0; at = facets_[at].next) {
-    if (begin_facet(facets_[at].face, line) == Room::no_edges) return false;
+    const std::uint16_t face = facets_[at].face;
+    const Room room = at <= polygons_filed_
+                          ? begin_facet(face, line)
+                          : begin_patch_facet(face, patches_[static_cast<std::uint16_t>(at - polygons_filed_)], line);
+    if (room == Room::no_edges) return false;
   }
   return true;
+}
+
+template <FrameOptions kOptions>
+Room Frame<kOptions>::begin_patch_facet(std::uint16_t face, const DicedFacet& facet, std::uint16_t line) {
+  const auto add = [&](const FacetLook& look, const auto& colour) {
+    return vsg_.add({face, facet.part}, false, line, look, [&](auto& sink) { patches_.read(facet, colour, sink); });
+  };
+  reader_.select(face);
+  const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+  if (!keeps_normals(material)) {
+    return add({facet.payload, false}, [](const Normal10&) { return Rgb8{}; });
+  }
+  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+  const bool flip = two_sided && !patches_.front(facet, reader_.mirrored());
+  const LightRig& rig = lights();
+  return add({0, true}, [&](const Normal10& normal) { return rig.shade(normal, material, flip); });
 }
 
 template <FrameOptions kOptions>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/budget.hpp"
+#include "core/frame/patch_source.hpp"
 #include "core/vsg/visible_segments.hpp"
 
 namespace spanline {
@@ -20,6 +21,7 @@ struct FrameStorage {
   PoolRef<std::uint16_t> buckets;  // one a line; its capacity is the longest band
   PoolRef<ScreenPoint> vertices;
   VsgStorage vsg;
+  PatchStorage patches;
 };
 
 template <Budget kBudget>
@@ -27,6 +29,8 @@ class FrameMemory {
   static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
   static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
   static_assert(kBudget.facets > 0 && kBudget.polygons > 0 && kBudget.segments > 0, "these pools cannot be empty");
+  static_assert(kBudget.patch_vertices <= PatchStorage::kMostVertices, "Budget::patch_vertices is out of range");
+  static_assert(kBudget.patch_tolerance > 0, "Budget::patch_tolerance is out of range");
   static constexpr std::uint16_t kBandLines = kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines;
 
  public:
@@ -42,7 +46,8 @@ class FrameMemory {
              active_.ref(),
              {samples_[0].ref(), samples_[1].ref()},
              implied_.ref(),
-             nullptr}};
+             nullptr},
+            {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), kBudget.patch_tolerance}};
   }
 
  private:
@@ -56,6 +61,9 @@ class FrameMemory {
   Pool<ActiveSegment, kBudget.active == 0 ? kBudget.segments : kBudget.active> active_;
   Pool<std::int16_t, kBudget.samples> samples_[2];
   Pool<ImpliedEdge, kBudget.implied> implied_;
+  Pool<DicedFacet, kBudget.patch_facets> patch_facets_;
+  Pool<ScreenPoint, kBudget.patch_vertices> patch_vertices_;
+  Pool<Normal10, kBudget.gouraud ? kBudget.patch_vertices : 0> patch_normals_;
 };
 
 }  // namespace spanline

@@ -88,7 +88,7 @@ std::uint16_t FacetReader::fill_cache() {
     const std::uint32_t first_vertex = filled;
     enter_instance(static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(first_face),
                    static_cast<std::uint16_t>(first_vertex));
-    const std::uint32_t count = mesh().positions.size();
+    const std::uint32_t count = vertices_of(mesh());
     for (std::uint16_t v = 0; v < count && filled < cache_.capacity(); ++v) cache_[++filled] = compute(v);
     if (filled == cache_.capacity()) break;
     first_face += mesh().face_count;
@@ -107,7 +107,7 @@ void FacetReader::select(std::uint16_t face) {
     while (face - first_face >= scene_->meshes[scene_->instances[i].mesh].face_count) {
       const MeshRecord& passed = scene_->meshes[scene_->instances[i].mesh];
       first_face += passed.face_count;
-      first_vertex += passed.positions.size();
+      first_vertex += vertices_of(passed);
       ++i;
     }
     enter_instance(i, static_cast<std::uint16_t>(first_face), static_cast<std::uint16_t>(first_vertex));
@@ -126,7 +126,7 @@ void FacetReader::locate(std::uint16_t mesh_face) {
   if (group.contour_count > 1) face_.contours = {mesh().contours.data() + group.first_contour, group.contour_count};
   face_.mesh_face = mesh_face;
   face_.material = instance().material == InstanceRecord::kOwnMaterials ? group.material : instance().material;
-  note_outcodes();
+  if (!is_patch()) note_outcodes();
 }
 
 void FacetReader::note_outcodes() {
@@ -140,14 +140,7 @@ void FacetReader::note_outcodes() {
 }
 
 FacetVertex FacetReader::project_clipped(const ClipVertex& v) const {
-  const auto clamp = [](std::int32_t x, std::int32_t low, std::int32_t high) {
-    return x < low ? low : x > high ? high : x;
-  };
-  ClipPoint p = v.at;  // rounding may leave a clipped point a unit outside
-  p.w = clamp(p.w, projection_.near_w, projection_.far_w);
-  p.x = clamp(p.x, -p.w, p.w);
-  p.y = clamp(p.y, -p.w, p.w);
-  const ScreenPoint s = projection_(p);
+  const ScreenPoint s = projection_.clamped(v.at);
   return {s.at, s.depth, v.color};
 }
 

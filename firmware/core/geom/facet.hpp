@@ -46,7 +46,7 @@ class FacetReader {
   // `cache` may hold fewer vertices than the scene; the rest are projected at each use.
   FacetReader(const SceneView& scene, const CameraRecord& camera, const Screen& screen, PoolRef<ScreenPoint> cache);
 
-  // Projects the vertices that the cache holds. Returns how many.
+  // Projects the vertices that the cache holds, control points of patches excepted. Returns how many.
   std::uint16_t fill_cache();
 
   // Makes `face` (below SceneView::face_count) current.
@@ -55,7 +55,16 @@ class FacetReader {
   const InstanceRecord& instance() const { return scene_->instances[instance_]; }
   std::uint16_t instance_index() const { return instance_; }
   const MeshRecord& mesh() const { return scene_->meshes[instance().mesh]; }
+  // The last face of the current instance.
+  std::uint16_t last_face() const { return static_cast<std::uint16_t>(first_face_ + mesh().face_count - 1); }
+  const Projection& projection() const { return projection_; }
+  bool mirrored() const { return !on_screen() && matrix_.mirrored; }
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
+
+  // Whether the current face is a patch. Then there is nothing of it to read but this: its control points in clip
+  // space, four rows of four.
+  bool is_patch() const { return mesh().of_patches(); }
+  ClipPoint control_point(std::uint32_t index) const { return clip_point(face_.corners[index]); }
 
   // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
   bool clipped() const { return face_.outside_any != 0; }
@@ -79,6 +88,7 @@ class FacetReader {
 
   void enter_instance(std::uint16_t instance, std::uint16_t first_face, std::uint16_t first_vertex);
   void locate(std::uint16_t mesh_face);
+  static std::uint32_t vertices_of(const MeshRecord& mesh) { return mesh.of_patches() ? 0 : mesh.positions.size(); }
   ClipPoint clip_point(std::uint16_t vertex) const { return matrix_(mesh().positions[vertex]); }
   ScreenPoint compute(std::uint16_t vertex) const;
   ScreenPoint point(std::uint16_t vertex) const {
@@ -95,7 +105,7 @@ class FacetReader {
   ClipMatrix matrix_{};
   std::uint16_t instance_ = 0;
   std::uint16_t first_face_ = 0;    // of the current instance, over the scene
-  std::uint16_t first_vertex_ = 0;  // likewise
+  std::uint16_t first_vertex_ = 0;  // likewise, control points not counted
   std::uint16_t group_ = 0;
   FaceRef face_;
 };

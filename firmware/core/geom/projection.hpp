@@ -103,6 +103,17 @@ struct Projection {
     out.outcode = 0;
     return out;
   }
+
+  // Projects a point that rounding may have left a little outside of the planes.
+  ScreenPoint clamped(ClipPoint p) const {
+    const auto clamp = [](std::int32_t v, std::int32_t low, std::int32_t high) {
+      return v < low ? low : v > high ? high : v;
+    };
+    p.w = clamp(p.w, near_w, far_w);
+    p.x = clamp(p.x, -p.w, p.w);
+    p.y = clamp(p.y, -p.w, p.w);
+    return (*this)(p);
+  }
 };
 
 }  // namespace spanline

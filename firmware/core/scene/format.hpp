@@ -53,18 +53,25 @@ struct MaterialRecord {
 // are several rings in a row whose lengths stand in MeshRecord::contours from first_contour on (each at least 3; they
 // add up to corners_per_face, else the contour is unclosed and the record is refused). Filling is even-odd, so holes
 // need no direction.
+//
+// With contour_count kPatches each face is a bicubic Bezier patch and its kPatchCorners corners are the control points,
+// four rows of four. Rows run along v, the points of a row along u; the front is where u, v and the normal are
+// right-handed.
 struct FaceGroup {
+  static constexpr std::uint16_t kPatches = 0;
+  static constexpr std::uint16_t kPatchCorners = 16;
   std::uint32_t first_corner;
   std::uint16_t first_face;
   std::uint16_t face_count;
   std::uint16_t corners_per_face;
   std::uint16_t first_contour;
-  std::uint16_t contour_count;  // 1: a single ring, first_contour is not used
+  std::uint16_t contour_count;  // 1: a single ring, first_contour is not used; kPatches
   std::uint16_t material;       // index into SceneRecord::materials
 };
 
 // Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31
-// world units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count.
+// world units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count. The faces
+// of a mesh are all polygons or all patches. Patches have no normals in the record: they come from their shape.
 struct MeshRecord {
   const char* name;
   Slice<const Position> positions;
@@ -76,6 +83,8 @@ struct MeshRecord {
   std::uint16_t face_count;
   Fx16 origin[3];
   std::int32_t unit;  // Q1.31, > 0
+
+  bool of_patches() const { return groups[0].contour_count == FaceGroup::kPatches; }
 };
 
 // World = matrix * mesh + translation. Rows of the matrix are x, y, z; Q16.16.

@@ -12,7 +12,11 @@ constexpr Status bad(const char* record, const char* field, std::uint32_t index,
 bool within_world(Fx16 c) { return c <= Fx16::from_int(kMaxWorld) && c >= Fx16::from_int(-kMaxWorld); }
 
 Status check_rings(const MeshRecord& mesh, const FaceGroup& group, std::uint32_t g) {
-  if (group.contour_count == 0) return bad("FaceGroup", "contour_count", g);
+  if (group.contour_count == FaceGroup::kPatches) {
+    const bool sixteen = group.corners_per_face == FaceGroup::kPatchCorners;
+    return sixteen ? Status{}
+                   : bad("FaceGroup", "corners_per_face", g, group.corners_per_face, FaceGroup::kPatchCorners);
+  }
   if (group.contour_count == 1) return {};
   const std::uint32_t end = std::uint32_t{group.first_contour} + group.contour_count;
   if (end > mesh.contours.size()) return bad("FaceGroup", "first_contour", g, end, mesh.contours.size());
@@ -30,6 +34,8 @@ Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32
   const FaceGroup& group = mesh.groups[g];
   if (group.first_face != first_face) return bad("FaceGroup", "first_face", g, group.first_face, first_face);
   if (group.face_count == 0) return bad("FaceGroup", "face_count", g);
+  const bool patches = group.contour_count == FaceGroup::kPatches;
+  if (patches != mesh.of_patches()) return bad("FaceGroup", "contour_count (polygons and patches)", g);
   if (group.corners_per_face < 3) return bad("FaceGroup", "corners_per_face", g, group.corners_per_face, 3);
   const std::uint64_t end = group.first_corner + std::uint64_t{group.face_count} * group.corners_per_face;
   if (end > mesh.corners.size()) return bad("FaceGroup", "first_corner", g, group.first_corner, mesh.corners.size());
@@ -41,7 +47,7 @@ Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32
 // What a mesh's normals allow as materials.
 Status check_material(const MeshRecord& mesh, const MaterialRecord& material, const char* record, std::uint32_t index) {
   const bool normals =
-      material.shading == MaterialRecord::kUnlit ||
+      material.shading == MaterialRecord::kUnlit || mesh.of_patches() ||
       !(material.shading == MaterialRecord::kGouraud ? mesh.vertex_normals : mesh.face_normals).empty();
   return normals ? Status{} : bad(record, "material (no normals)", index);
 }
@@ -87,6 +93,7 @@ Status check_instance(const SceneRecord& scene, std::uint32_t index) {
     return bad("InstanceRecord", "material", index, instance.material, scene.materials.size());
   }
   const bool on_screen = (instance.flags & InstanceRecord::kScreen) != 0;  // where no light falls
+  if (on_screen && mesh.of_patches()) return bad("InstanceRecord", "mesh (patches on the screen)", index);
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene.materials[own ? group.material : instance.material];
     if (on_screen && material.shading != MaterialRecord::kUnlit)
@@ -122,17 +129,20 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
     if (!status.ok()) return status;
   }
   std::uint32_t faces = 0, vertices = 0;
+  bool has_patches = false;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Status status = check_instance(scene, i);
     if (!status.ok()) return status;
     faces += scene.meshes[scene.instances[i].mesh].face_count;
     vertices += scene.meshes[scene.instances[i].mesh].positions.size();
+    has_patches = has_patches || scene.meshes[scene.instances[i].mesh].of_patches();
     if (faces > kMaxSceneFaces) return bad("SceneRecord", "instances (faces)", i, faces, kMaxSceneFaces);
     if (vertices > kMaxSceneVertices) return bad("SceneRecord", "instances (vertices)", i, vertices, kMaxSceneVertices);
   }
   view.scene_ = &scene;
   view.face_count_ = static_cast<std::uint16_t>(faces);
   view.vertex_count_ = static_cast<std::uint16_t>(vertices);
+  view.has_patches_ = has_patches;
   return {};
 }
 

@@ -19,12 +19,14 @@ class SceneView {
 
   const SceneRecord& scene() const { return *scene_; }
   std::uint16_t face_count() const { return face_count_; }      // over all instances, hidden ones too
+  bool has_patches() const { return has_patches_; }             // some instance is of patches
   std::uint16_t vertex_count() const { return vertex_count_; }  // over all instances
 
  private:
   const SceneRecord* scene_ = nullptr;
   std::uint16_t face_count_ = 0;
   std::uint16_t vertex_count_ = 0;
+  bool has_patches_ = false;
 };
 
 }  // namespace spanline

@@ -64,7 +64,10 @@ struct PolygonBlock {
   std::uint16_t payload;  // for shading: the flat colour
   std::uint8_t flags;
   DepthRamp ramp;      // a triangle's plane: for line 0,
-  std::uint32_t down;  // and the step a line
+  std::uint32_t down;  // and the step a line; of a facet that shares its face with others, as patches' do, its number
+
+  // The order in which ties go and blocks are kept.
+  bool before(const PolygonBlock& other) const { return face != other.face ? face < other.face : down < other.down; }
 };
 
 static_assert(sizeof(PolygonBlock) == 24 && sizeof(SegmentBlock) == 60);

@@ -140,13 +140,15 @@ class DepthSorter {
   void leave_one_out(const ActiveSegment& fresh) {
     if (fresh.left >= fresh.right) return;
     ++left_out_;
-    const auto face = [this](const ActiveSegment& entry) { return (*p_.polygons)[entry.polygon].face; };
+    const auto polygon = [this](const ActiveSegment& entry) -> const PolygonBlock& {
+      return (*p_.polygons)[entry.polygon];
+    };
     ActiveSegment* last = &p_.active[0];
     for (std::int32_t i = 1; i < active_count_; ++i) {
       ActiveSegment& entry = p_.active[static_cast<std::size_t>(i)];
-      if (face(entry) > face(*last)) last = &entry;
+      if (polygon(*last).before(polygon(entry))) last = &entry;
     }
-    if (face(fresh) < face(*last)) *last = fresh;
+    if (polygon(fresh).before(polygon(*last))) *last = fresh;
   }
 
   // Takes the next block off the X-sort list: notes in `entry` where it lies on this line, steps it to the next and
@@ -231,7 +233,7 @@ class DepthSorter {
     return DepthComparator<kOptions.comparator>::compare(make_contest(a, b, from, to), counters_.comparator_cycles);
   }
   Contest make_contest(ActiveSegment& a, ActiveSegment& b, std::int32_t from, std::int32_t to) {
-    return {ramp(a), ramp(b), from, to, (*p_.polygons)[a.polygon].face < (*p_.polygons)[b.polygon].face};
+    return {ramp(a), ramp(b), from, to, (*p_.polygons)[a.polygon].before((*p_.polygons)[b.polygon])};
   }
 
   const SegmentBlock& look_at(const ActiveSegment& entry) {

@@ -16,10 +16,10 @@ class Polygons {
     changing_ = 0;
   }
 
-  // A block for a face, not yet active and without segments; 0 where none is left.
-  std::uint16_t open(std::uint16_t face, std::uint8_t flags, std::uint16_t payload) {
+  // Puts `polygon`, not yet active and without segments, into a block; 0 where none is left.
+  std::uint16_t open(const PolygonBlock& polygon) {
     const std::uint16_t index = blocks_.take();
-    if (index != 0) blocks_[index] = {face, 0, 0, 0, payload, flags, {}, 0};
+    if (index != 0) blocks_[index] = polygon;
     return index;
   }
   void close(std::uint16_t index) {
@@ -62,7 +62,7 @@ class Polygons {
   std::uint16_t last_face() const {
     std::uint16_t best = 0;
     for (std::uint16_t i = 1; i <= blocks_.ever_used(); ++i) {
-      if (blocks_[i].face != kNoFace && (best == 0 || blocks_[i].face > blocks_[best].face)) best = i;
+      if (blocks_[i].face != kNoFace && (best == 0 || blocks_[best].before(blocks_[i]))) best = i;
     }
     return best;
   }

@@ -21,9 +21,10 @@ struct Statistics {
   std::uint32_t implied_dropped = 0;
   std::uint32_t facets_left_out = 0;  // facets that one line had no room for
   std::uint32_t bands = 0;            // bands prepared, those that overflowed not counted
+  std::uint32_t points_emitted = 0;   // vertices of patches computed, over all bands
   // High-water marks of the pools.
   std::uint32_t max_facets = 0, max_vertices = 0, max_polygons = 0, max_edges = 0, max_segments = 0, max_active = 0,
-                max_samples = 0, max_implied = 0;
+                max_samples = 0, max_implied = 0, max_patch_facets = 0, max_patch_vertices = 0;
 };
 
 // What is left of them otherwise: the comparators always have somewhere to count.

@@ -28,6 +28,12 @@ struct FacetLook {
   bool gouraud = false;
 };
 
+// Which facet: of all with one face, as those of a patch, each has its own `part`.
+struct FacetName {
+  std::uint16_t face;
+  std::uint16_t part = 0;
+};
+
 // The outcome of putting a facet in.
 enum class Room : std::uint8_t {
   enough,
@@ -59,7 +65,15 @@ class VisibleSegments {
   // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as
   // FacetReader::read.
   template <typename Colour>
-  Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour);
+  Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour) {
+    const bool triangle = reader_->face().corners.size() == 3 && !reader_->clipped();
+    return add({face}, triangle, line, look, [&](auto& sink) { reader_->read(colour, sink); });
+  }
+
+  // Likewise the facet whose contours `feed(sink)` hands out as FacetReader::read does. `triangle`: one that the reader
+  // can read again under this face, for its plane.
+  template <typename Feed>
+  Room add(const FacetName& name, bool triangle, std::int32_t line, const FacetLook& look, const Feed& feed);
 
   // Generates `line`, the one after the last: sink.span(const VisibleSpan&), left to right.
   template <typename Sink>
@@ -79,12 +93,11 @@ class VisibleSegments {
  private:
   using Sort = std::conditional_t<kOptions.x_sort == XSort::list, XSortList<kOptions.statistics>,
                                   XSortBuckets<kOptions.statistics>>;
-  template <typename Colour>
   struct EdgeSink;
 
   Room enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line);
   void enter_waiting(std::int32_t line);
-  bool make_room(const char* pool, std::uint16_t capacity, std::uint16_t face, std::int32_t line);
+  bool make_room(const char* pool, std::uint16_t capacity, const PolygonBlock& polygon, std::int32_t line);
   void note_pools();
 
   SegmentStore<kOptions.statistics> store_;
@@ -132,7 +145,6 @@ void VisibleSegments<kOptions>::begin_band(std::int32_t bottom) {
 
 // Cuts a facet's contours into edges and files them: those that have begun at once, the others in the edge table.
 template <VsgOptions kOptions>
-template <typename Colour>
 struct VisibleSegments<kOptions>::EdgeSink {
   VisibleSegments& vsg;
   std::uint16_t polygon;
@@ -170,30 +182,29 @@ struct VisibleSegments<kOptions>::EdgeSink {
 };
 
 template <VsgOptions kOptions>
-template <typename Colour>
-Room VisibleSegments<kOptions>::add(std::uint16_t face, std::int32_t line, const FacetLook& look,
-                                    const Colour& colour) {
-  const bool triangle = reader_->face().corners.size() == 3 && !reader_->clipped();
+template <typename Feed>
+Room VisibleSegments<kOptions>::add(const FacetName& name, bool triangle, std::int32_t line, const FacetLook& look,
+                                    const Feed& feed) {
   CHECK(!look.gouraud || has_colours());
   const auto flags =
       static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0));
-  std::uint16_t polygon = polygons_.open(face, flags, look.payload);
+  const PolygonBlock block{name.face, 0, 0, 0, look.payload, flags, {}, name.part};
+  std::uint16_t polygon = polygons_.open(block);
   while (polygon == 0) {
-    if (!make_room("polygons", polygons_.capacity(), face, line)) return Room::left_out;
-    polygon = polygons_.open(face, flags, look.payload);
+    if (!make_room("polygons", polygons_.capacity(), block, line)) return Room::left_out;
+    polygon = polygons_.open(block);
   }
   polygons_.change(polygon);
-  EdgeSink<Colour> sink{*this, polygon, line};
-  reader_->read(colour, sink);
+  EdgeSink sink{*this, polygon, line};
+  feed(sink);
   return sink.room;
 }
 
 // Files an edge; while there is no block for it, the highest face goes, perhaps the edge's own.
 template <VsgOptions kOptions>
 Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line) {
-  const std::uint16_t face = polygons_[polygon].face;
   while (!generator_.insert(polygon, edge)) {
-    if (make_room("segments", store_.capacity(), face, line)) continue;
+    if (make_room("segments", store_.capacity(), polygons_[polygon], line)) continue;
     eliminator_.drop(polygon, edges_);
     return Room::left_out;
   }
@@ -204,21 +215,21 @@ Room VisibleSegments<kOptions>::enter(std::uint16_t polygon, PlacedEdge edge, st
   return Room::enough;
 }
 
-// Drops the live polygon with the highest face if that is above `face`. Notes the shortage.
+// Drops the live polygon with the highest face if that is above `polygon`'s. Notes the shortage.
 template <VsgOptions kOptions>
-bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capacity, std::uint16_t face,
+bool VisibleSegments<kOptions>::make_room(const char* pool, std::uint16_t capacity, const PolygonBlock& polygon,
                                           std::int32_t line) {
   const bool same = !status_.ok() && status_.line == static_cast<std::uint32_t>(line) && status_.where == pool;
   status_ = {Code::pool_exhausted,
              pool,
              "",
-             face,
+             polygon.face,
              static_cast<std::uint32_t>(line),
              (same ? status_.needed : capacity) + 1u,
              capacity};
   if constexpr (kOptions.statistics) ++sorter_.statistics().facets_left_out;
   const std::uint16_t last = polygons_.last_face();
-  if (last == 0 || polygons_[last].face <= face) return false;
+  if (last == 0 || !polygon.before(polygons_[last])) return false;
   eliminator_.drop(last, edges_);
   return true;
 }

@@ -1,0 +1,121 @@
+#include "core/curve/normals.hpp"
+
+#include <bit>
+
+#include "core/base/check.hpp"
+#include "core/fx/bits.hpp"
+#include "core/fx/root.hpp"
+
+namespace spanline {
+namespace {
+
+using Vector = NormalRow::Vector;
+
+constexpr int kDirectionBits = 14;  // of a tangent: products of two fit 29 bits
+
+Vector operator-(const Vector& a, const Vector& b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2]}}; }
+Vector operator-(const Vector& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
+Vector difference(const Position& a, const Position& b) { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
+bool is_zero(const Vector& a) { return (a.v[0] | a.v[1] | a.v[2]) == 0; }
+
+// Bits of the largest magnitude.
+int width_of(const Vector& a) {
+  std::uint32_t all = 0;
+  for (const std::int32_t c : a.v) all |= static_cast<std::uint32_t>(c < 0 ? -c : c);
+  return static_cast<int>(std::bit_width(all));
+}
+
+// Brings vectors to at most `bits` bits by a common exponent; they are never made longer.
+template <std::size_t N>
+void shorten(Vector (&vectors)[N], int bits) {
+  int width = 0;
+  for (const Vector& a : vectors) width = width_of(a) > width ? width_of(a) : width;
+  if (width <= bits) return;
+  for (Vector& a : vectors) {
+    for (std::int32_t& c : a.v) c = shift_round(c, width - bits);
+  }
+}
+
+// To exactly kDirectionBits bits; nothing becomes of the zero vector.
+Vector direction(const Vector& a) {
+  const int up = kDirectionBits - width_of(a);
+  Vector out = a;
+  for (std::int32_t& c : out.v) c = up >= 0 ? c * (1 << up) : c >> -up;
+  return out;
+}
+
+Vector cross(const Vector& p, const Vector& q) {
+  const Vector a = direction(p), b = direction(q);
+  return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2], a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
+}
+
+// Bernstein's polynomials at at / of, times of^degree.
+struct Weights {
+  std::int32_t quadratic[3], cubic[4];
+
+  Weights(std::uint32_t at, std::uint32_t of) {
+    const auto t = static_cast<std::int32_t>(at), s = static_cast<std::int32_t>(of - at);
+    quadratic[0] = s * s, quadratic[1] = 2 * s * t, quadratic[2] = t * t;
+    cubic[0] = s * s * s, cubic[1] = 3 * s * s * t, cubic[2] = 3 * s * t * t, cubic[3] = t * t * t;
+  }
+};
+
+// How many bits a cubic of `steps` steps leaves to its control points in 31: the weights add up to steps^3.
+int bits_beside(std::uint32_t steps) {
+  const int bits = 30 - 3 * static_cast<int>(std::bit_width(steps - 1));
+  return bits < kDirectionBits ? bits : kDirectionBits;
+}
+static_assert(30 - 3 * std::bit_width(NormalGrid::kMostSteps - 1) == 9);
+
+template <std::size_t N>
+Vector blend(const Vector* const (&points)[N], const std::int32_t (&weights)[N]) {
+  Vector sum{};
+  for (std::size_t i = 0; i < N; ++i) {
+    for (int c = 0; c < 3; ++c) sum.v[c] += weights[i] * points[i]->v[c];
+  }
+  return sum;
+}
+
+Normal10 pack(const Vector& normal) {
+  const Vector n = direction(normal);
+  const auto square = static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]);
+  const auto length = static_cast<std::int32_t>(square_root(square));
+  const auto component = [&](int i) { return round_div(n.v[i] * 511, length); };
+  return Normal10::pack(component(0), component(1), component(2));
+}
+
+}  // namespace
+
+NormalRow::NormalRow(const PatchShape& patch, std::uint32_t row, const NormalGrid& grid) : row_(row), grid_(grid) {
+  CHECK(row <= grid.rows && grid.rows <= NormalGrid::kMostSteps && grid.columns <= NormalGrid::kMostSteps);
+  const Weights weights(row, grid.rows);
+  const int bits = bits_beside(grid.rows);
+  Vector u[12], v[12];  // differences of neighbours in a row, and in a column
+  for (int i = 0; i < 12; ++i) {
+    u[i] = difference(patch.at[i / 3][i % 3], patch.at[i / 3][i % 3 + 1]);
+    v[i] = difference(patch.at[i / 4][i % 4], patch.at[i / 4 + 1][i % 4]);
+  }
+  shorten(u, bits);
+  shorten(v, bits);
+  for (int j = 0; j < 3; ++j) along_[j] = blend({&u[j], &u[3 + j], &u[6 + j], &u[9 + j]}, weights.cubic);
+  for (int j = 0; j < 4; ++j) across_[j] = blend({&v[j], &v[4 + j], &v[8 + j]}, weights.quadratic);
+  shorten(along_, bits_beside(grid.columns));
+  shorten(across_, bits_beside(grid.columns));
+}
+
+Normal10 NormalRow::at(std::uint32_t column) const {
+  CHECK(column <= grid_.columns);
+  const Weights weights(column, grid_.columns);
+  const Vector u = blend({&along_[0], &along_[1], &along_[2]}, weights.quadratic);
+  const Vector v = blend({&across_[0], &across_[1], &across_[2], &across_[3]}, weights.cubic);
+  Vector normal = cross(u, v);
+  if (!is_zero(normal)) return pack(normal);
+  // d/du d/dv: near a rim where the derivative along it vanishes, that is so much times the distance from the rim.
+  const Vector turns[3] = {across_[1] - across_[0], across_[2] - across_[1], across_[3] - across_[2]};
+  const Vector uv = blend({&turns[0], &turns[1], &turns[2]}, weights.quadratic);
+  if (row_ == 0 || row_ == grid_.rows) normal = row_ == 0 ? cross(uv, v) : -cross(uv, v);
+  if (is_zero(normal) && (column == 0 || column == grid_.columns)) normal = column == 0 ? cross(u, uv) : -cross(u, uv);
+  return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
+}
+
+}  // namespace spanline

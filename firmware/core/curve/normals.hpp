@@ -1,0 +1,47 @@
+// Normals of a bicubic patch, from its control points alone: in mesh units, so that they do not depend on the view.
+//
+// The tangents are the patch's own derivatives, as 6 b1 - 3 b2 + 2 b3 of a walk along it gives them; the raw first
+// difference b1 would err by half a step's turn. Only directions matter, so every stage keeps about 14 bits of a common
+// exponent and all is done in 32 bits. The result is within half a degree of the exact normal (tests).
+#pragma once
+
+#include <cstdint>
+
+#include "core/scene/format.hpp"
+
+namespace spanline {
+
+// The control points of a patch, mesh units; at[i][j], rows i run along v, the points j of a row along u.
+struct PatchShape {
+  Position at[4][4];
+};
+
+// Where a normal is wanted: at v = row / rows, u = column / columns.
+struct NormalGrid {
+  static constexpr std::uint32_t kMostSteps = 128;
+  std::uint32_t rows, columns;  // 1 … kMostSteps
+};
+
+// The tangents' control points along one row of a grid.
+class NormalRow {
+ public:
+  // row <= grid.rows.
+  NormalRow(const PatchShape& patch, std::uint32_t row, const NormalGrid& grid);
+
+  // The normal at column <= columns: on the side that sees u, v turn counter-clockwise. Where one
+  // tangent vanishes on the patch's rim, as at a pole, it is what the normals beside it tend to. (0, 0, 511) where the
+  // patch has no normal even so.
+  Normal10 at(std::uint32_t column) const;
+
+  struct Vector {
+    std::int32_t v[3];
+  };
+
+ private:
+  std::uint32_t row_;
+  NormalGrid grid_;
+  Vector along_[3];   // control points of the derivative along u, a quadratic
+  Vector across_[4];  // of the derivative along v, a cubic in u
+};
+
+}  // namespace spanline

@@ -1,0 +1,75 @@
+// Patches: pools, bands and comparators change nothing that one sees.
+#include <gtest/gtest.h>
+
+#include "frame/patch_views.hpp"
+
+namespace spanline::test {
+namespace {
+
+using host::EngineOptions;
+using host::MeshShading;
+using host::Rendering;
+using oracle::Random;
+
+// Pools that hold what one line needs of a random view, and little else.
+EngineOptions frugal(Random& random) {
+  EngineOptions options;
+  options.comparator = random.percent(50) ? Comparator::midpoint : Comparator::plane;
+  options.bands = static_cast<std::uint16_t>(random.percent(20) ? 240 : random.between(1, 30));
+  options.pools.facets = static_cast<std::uint16_t>(random.between(500, 1500));
+  options.pools.patch_facets = static_cast<std::uint16_t>(random.between(500, 1500));
+  options.pools.patch_vertices = static_cast<std::uint16_t>(random.between(900, 2000));
+  options.pools.edges = static_cast<std::uint16_t>(random.between(0, 40));
+  options.pools.vertices = options.pools.samples = static_cast<std::uint16_t>(random.between(0, 20));
+  options.pools.implied = 0;
+  return options;
+}
+
+void expect_same(const host::CompiledScene& scene, const EngineOptions& options, int view) {
+  const Rendering whole = render(scene, {}), parts = render(scene, options);
+  ASSERT_TRUE(whole.status.ok());
+  ASSERT_TRUE(parts.status.ok()) << "view " << view << ": " << parts.status.where << " needs " << parts.status.needed
+                                 << " of " << parts.status.limit;
+  EXPECT_EQ(whole.picture.rgb, parts.picture.rgb) << "view " << view;
+  EXPECT_EQ(whole.ids, parts.ids) << "view " << view;
+  EXPECT_EQ(whole.depth, parts.depth) << "view " << view;
+}
+
+void expect_same_in_views(host::CompiledScene scene, std::uint64_t seed, int views, double nearest) {
+  Random random(seed);
+  for (int view = 0; view < views && !testing::Test::HasFailure(); ++view) {
+    look_from_anywhere(scene, random, nearest + random.below(100) / 100.0);
+    expect_same(scene, frugal(random), view);
+  }
+}
+
+TEST(PatchInvariance, TheTeapotFlat) { expect_same_in_views(teapot_scene(MeshShading::flat), 1, 12, 0.6); }
+TEST(PatchInvariance, TheTeapotGouraud) { expect_same_in_views(teapot_scene(MeshShading::gouraud), 2, 12, 0.6); }
+
+TEST(PatchInvariance, PatchesAmongMeshes) {
+  // A row of cubes through the teapot, which stands twice, once mirrored and culled.
+  expect_same_in_views(scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt"},{"name":"c","obj":"cubes.obj"}],)"
+                                R"("instances":[{"mesh":"c"},{"mesh":"p"},{"mesh":"c","translate":[2,0.5,1.5]},)"
+                                R"({"mesh":"p","translate":[0,1,0],"scale":[1,-0.8,1],"cull":true}]})"),
+                       3, 8, 0.5);
+}
+
+TEST(PatchInvariance, ThroughTheNearPlane) { expect_same_in_views(teapot_scene(MeshShading::gouraud), 4, 6, 0.01); }
+
+TEST(PatchInvariance, OneLineThatDoesNotFitIsReported) {
+  const host::CompiledScene scene = teapot_scene(MeshShading::flat);
+  for (const char* pool : {"patch_facets", "patch_vertices", "facets"}) {
+    EngineOptions options;
+    *options.pools.find(pool) = 30;
+    const Rendering out = render(scene, options);
+    EXPECT_EQ(out.status.code, Code::pool_exhausted);
+    EXPECT_STREQ(out.status.where, pool);
+    EXPECT_EQ(out.status.limit, 30u);
+    EXPECT_GT(out.status.needed, 30u);
+    *options.pools.find(pool) = 2000;
+    EXPECT_EQ(render(scene, options).picture.rgb, render(scene, {}).picture.rgb);
+  }
+}
+
+}  // namespace
+}  // namespace spanline::test
