@@ -22,6 +22,8 @@ void widen(Budget& budget, const Statistics& need) {
   raise(budget.active, need.max_active);
   raise(budget.samples, need.max_samples);
   raise(budget.implied, need.max_implied);
+  raise(budget.patch_facets, need.max_patch_facets);
+  raise(budget.patch_vertices, need.max_patch_vertices);
 }
 
 bool has_gouraud(const CompiledScene& scene) {
@@ -72,6 +74,8 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
   field("active", budget.active);
   field("samples", budget.samples);
   field("implied", budget.implied);
+  field("patch_facets", budget.patch_facets);
+  field("patch_vertices", budget.patch_vertices);
   text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false") + "};\n\n}  // namespace " + name + "\n";
   return text;
 }

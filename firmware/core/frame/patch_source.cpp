@@ -273,7 +273,7 @@ bool PatchSource::take_vertices(const Job& job, std::uint32_t count) {
   const std::uint32_t end = used_ + count + 2 * (job.columns() + 1);
   if (shortage_.pool != nullptr || end > p_.vertices.capacity()) return false;
   used_ = static_cast<std::uint16_t>(used_ + count);
-  if (used_ > most_vertices_) most_vertices_ = used_;
+  if (end > most_vertices_) most_vertices_ = static_cast<std::uint16_t>(end);
   return true;
 }
 
