@@ -1,6 +1,19 @@
 #include "core/area/area_sort.hpp"
 
+#include <initializer_list>
+
 namespace spanline::area {
+
+void SortCounts::add(const SortCounts& other) {
+  for (const auto done : {&SortCounts::clips, &SortCounts::pairs, &SortCounts::depth_tests, &SortCounts::pierced,
+                          &SortCounts::recursions, &SortCounts::cyclic, &SortCounts::dropped}) {
+    this->*done += other.*done;
+  }
+  for (const auto most :
+       {&SortCounts::polygons, &SortCounts::borders, &SortCounts::pieces, &SortCounts::films, &SortCounts::frames}) {
+    if (this->*most < other.*most) this->*most = other.*most;
+  }
+}
 
 Status AreaSort::solve() {
   sort_by_source();

@@ -91,6 +91,9 @@ struct SortCounts {
   std::uint32_t cyclic = 0;       // polygons in front of the clip polygon whose name was on the stack
   std::uint32_t dropped = 0;      // polygons without area
   std::uint16_t polygons = 0, borders = 0, pieces = 0, films = 0, frames = 0;  // most blocks in use at once
+
+  // Another sort's: what was done adds up, of blocks the larger number stays.
+  void add(const SortCounts& other);
 };
 
 class AreaSort {
