@@ -228,7 +228,7 @@ void read_instances(const JsonNode& node, SceneDescription& scene, const Names& 
 SceneDescription parse_scene(const std::string& name, std::string_view text) {
   const nlohmann::json document = parse_json(name, text);
   const JsonNode root(document, name);
-  root.allow_keys({"size", "camera", "ambient", "lights", "background", "materials", "meshes", "instances"});
+  root.allow_keys({"size", "camera", "ambient", "lights", "background", "materials", "meshes", "instances", "hidden"});
   SceneDescription scene;
   scene.place = name;
   Names materials, meshes;

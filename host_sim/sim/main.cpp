@@ -3,6 +3,7 @@
 #include "budget/mcu_verbs.hpp"
 #include "clip/clip_command.hpp"
 #include "demo/demo_command.hpp"
+#include "hidden/hidden_command.hpp"
 #include "sim/assets_command.hpp"
 #include "sim/exit_code.hpp"
 #include "sim/render_command.hpp"
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   const spanline::host::ViewCommand view(app);
   const spanline::host::AssetsCommand assets(app);
   const spanline::host::McuVerbs mcu(app);
+  const spanline::host::HiddenCommand hidden(app);
   const spanline::host::ClipCommand clip(app);
   return spanline::host::exit_code_of(app, [&] {
     app.parse(argc, argv);
@@ -23,6 +25,7 @@ int main(int argc, char** argv) {
     if (demo.chosen()) demo.run();
     if (view.chosen()) view.run();
     if (assets.chosen()) assets.run();
+    if (hidden.chosen()) hidden.run();
     if (clip.chosen()) clip.run();
     if (mcu.chosen()) mcu.run();
   });

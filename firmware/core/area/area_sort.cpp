@@ -1,16 +1,15 @@
 #include "core/area/area_sort.hpp"
 
-#include <initializer_list>
-
 namespace spanline::area {
 
 void SortCounts::add(const SortCounts& other) {
-  for (const auto done : {&SortCounts::clips, &SortCounts::pairs, &SortCounts::depth_tests, &SortCounts::pierced,
-                          &SortCounts::recursions, &SortCounts::cyclic, &SortCounts::dropped}) {
-    this->*done += other.*done;
-  }
-  for (const auto most :
-       {&SortCounts::polygons, &SortCounts::borders, &SortCounts::pieces, &SortCounts::films, &SortCounts::frames}) {
+  constexpr std::uint32_t SortCounts::*kDone[] = {
+      &SortCounts::clips,      &SortCounts::pairs,  &SortCounts::depth_tests, &SortCounts::pierced,
+      &SortCounts::recursions, &SortCounts::cyclic, &SortCounts::dropped};
+  constexpr std::uint16_t SortCounts::*kMost[] = {&SortCounts::polygons, &SortCounts::borders, &SortCounts::pieces,
+                                                  &SortCounts::films, &SortCounts::frames};
+  for (const auto done : kDone) this->*done += other.*done;
+  for (const auto most : kMost) {
     if (this->*most < other.*most) this->*most = other.*most;
   }
 }

@@ -113,8 +113,9 @@ std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Op
 void AreaSort::add_backdrop() {
   const GridPoint a = window_.low, c = window_.high;
   const GridPoint b{c.x, a.y}, d{a.x, c.y};
+  const GridPoint corners[] = {a, d, c, b};
   Border border;
-  for (const auto& [from, to] : {std::pair{a, d}, {d, c}, {c, b}, {b, a}}) borders_.append(border, from, to);
+  for (unsigned i = 0; i < 4; ++i) borders_.append(border, corners[i], corners[(i + 1) % 4]);
   if (!borders_fit(kBackdrop)) return;
   const std::uint16_t name = add_polygon(kBackdrop, Plane{0, 0, -(std::int64_t{1} << 58)}, Opacity::opaque, border);
   if (name != 0) pools_.polygons[name].on_stack = true;

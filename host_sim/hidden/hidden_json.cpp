@@ -1,0 +1,121 @@
+#include "hidden/hidden_json.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace spanline::host {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbers(Vec3 v) { return ordered_json::array({v.x, v.y, v.z}); }
+ordered_json numbers(Rgb8 c) { return ordered_json::array({c.r, c.g, c.b}); }
+
+// From the screen back into the scene's own units, by the very camera that the engine used.
+class Unprojection {
+ public:
+  explicit Unprojection(const CompiledScene& scene)
+      : camera_(scene.camera()),
+        fit_(scene.fit()),
+        width_(scene.description().width),
+        height_(scene.description().height) {}
+
+  Vec3 operator()(const ScreenVertex& v) const {
+    const double near = camera_.near_plane.raw / 65536.0, far = camera_.far_plane.raw / 65536.0;
+    const double distance = std::clamp(v.depth > 0 ? near * 65536 / v.depth : far, near, far);
+    const double per_px = distance / (camera_.focal.raw / 4096.0);
+    const double right = (v.at.x / double{kSubpixels} - width_ / 2.0) * per_px;
+    const double up = (height_ / 2.0 - v.at.y / double{kSubpixels}) * per_px;
+    const Vec3 engine = eye() + right * axis(0) + up * axis(1) - distance * axis(2);
+    return (1 / fit_.scale) * engine + fit_.centre;
+  }
+
+ private:
+  Vec3 axis(int i) const {
+    constexpr double kOne = 1 << 30;
+    return {camera_.axes[i][0].raw / kOne, camera_.axes[i][1].raw / kOne, camera_.axes[i][2].raw / kOne};
+  }
+  Vec3 eye() const {
+    return {camera_.eye[0].raw / 65536.0, camera_.eye[1].raw / 65536.0, camera_.eye[2].raw / 65536.0};
+  }
+
+  const CameraRecord& camera_;
+  const WorldFit& fit_;
+  double width_, height_;
+};
+
+// One colour, one material.
+class Materials {
+ public:
+  std::string name_of(Rgb8 c) {
+    const auto [entry, fresh] = names_.emplace(std::array{c.r, c.g, c.b}, "seen" + std::to_string(names_.size()));
+    if (fresh) list.push_back({{"name", entry->second}, {"color", numbers(c)}, {"shading", "unlit"}});
+    return entry->second;
+  }
+
+  ordered_json list = ordered_json::array();
+
+ private:
+  std::map<std::array<std::uint8_t, 3>, std::string> names_;
+};
+
+ordered_json on_screen(const VisiblePolygon& polygon, std::uint32_t face) {
+  ordered_json rings = ordered_json::array();
+  for (const auto& ring : polygon.rings) {
+    ordered_json& points = rings.emplace_back(ordered_json::array());
+    for (const ScreenVertex& v : ring) {
+      points.push_back({v.at.x / double{kSubpixels}, v.at.y / double{kSubpixels}, v.depth});
+    }
+  }
+  return {{"source", face}, {"rings", std::move(rings)}};
+}
+
+}  // namespace
+
+std::string hidden_json(const HiddenView& view, const FacetList& facets, const CompiledScene& scene) {
+  const SceneDescription& description = scene.description();
+  const Unprojection unproject(scene);
+  Materials materials;
+  ordered_json meshes = ordered_json::array(), instances = ordered_json::array(), polygons = ordered_json::array();
+  for (std::size_t i = 0; i < view.polygons.size();) {
+    const Facet& facet = facets[view.polygons[i].facet];
+    const std::string name = "face" + std::to_string(facet.face);
+    ordered_json vertices = ordered_json::array(), faces = ordered_json::array();
+    const std::uint16_t index = view.polygons[i].facet;
+    for (; i < view.polygons.size() && view.polygons[i].facet == index; ++i) {
+      ordered_json& face = faces.emplace_back(ordered_json::array());
+      for (const auto& ring : view.polygons[i].rings) {
+        ordered_json& corners = face.emplace_back(ordered_json::array());
+        for (const ScreenVertex& v : ring) {
+          corners.push_back(vertices.size());
+          vertices.push_back(numbers(unproject(v)));
+        }
+      }
+      polygons.push_back(on_screen(view.polygons[i], facet.face));
+    }
+    meshes.push_back({{"name", name},
+                      {"material", materials.name_of(facet.color)},
+                      {"vertices", std::move(vertices)},
+                      {"faces", std::move(faces)}});
+    instances.push_back({{"mesh", name}, {"cull", false}});
+  }
+  const View& seen = scene.view();
+  const ordered_json document = {
+      {"size", {description.width, description.height}},
+      {"camera",
+       {{"eye", numbers(seen.eye)},
+        {"target", numbers(seen.target)},
+        {"up", numbers(seen.up)},
+        {"fov", seen.fov},
+        {"near", seen.near},
+        {"far", seen.far}}},
+      {"background",
+       {{"top", numbers(description.background.top)}, {"bottom", numbers(description.background.bottom)}}},
+      {"materials", std::move(materials.list)},
+      {"meshes", std::move(meshes)},
+      {"instances", std::move(instances)},
+      {"hidden", {{"clips", view.clips}, {"windows", view.windows}, {"polygons", std::move(polygons)}}}};
+  return document.dump() + "\n";
+}
+
+}  // namespace spanline::host

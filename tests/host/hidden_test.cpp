@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "assetc/scene_json.hpp"
+#include "assetc/text_file.hpp"
+#include "hidden/hidden_json.hpp"
+#include "hidden/line_drawing.hpp"
+#include "host/support.hpp"
+#include "sim/engine.hpp"
+#include "sim/output_file.hpp"
+#include "sim/status_text.hpp"
+
+namespace spanline::host {
+namespace {
+
+const std::string kScenes = std::string(SPANLINE_ASSETS) + "/scenes/";
+
+CompiledScene flat_scene(const std::string& name) {
+  SceneDescription scene = read_scene(kScenes + name);
+  for (MaterialSpec& material : scene.materials) {
+    if (material.shading == Shading::kGouraud) material.shading = Shading::kFlat;
+  }
+  return compile(std::move(scene));
+}
+
+constexpr const char* kCube = R"({
+  "size": [200, 160], "materials": [ { "name": "paint", "color": [220, 90, 60] } ],
+  "meshes": [ { "name": "cube", "material": "paint",
+    "vertices": [ [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1] ],
+    "faces": [ [3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], [1, 2, 6, 5], [0, 4, 7, 3] ] } ],
+  "instances": [ { "mesh": "cube" } ] })";
+
+HiddenView view_of(const CompiledScene& scene, std::uint32_t window) {
+  const SceneDescription& d = scene.description();
+  return remove_hidden(FacetList(scene, Facing::as_culled), d.width, d.height, window, d.place);
+}
+
+Picture picture_of(const CompiledScene& scene) {
+  EngineOptions options;
+  options.width = scene.description().width;
+  options.height = scene.description().height;
+  Rendering rendering;
+  const SceneRecord record = scene.record();
+  EXPECT_TRUE(Engine::make(options)->render(validated(record, "scene"), scene.camera(), rendering).ok());
+  return rendering.picture;
+}
+
+double share_that_differs(const Picture& a, const Picture& b) {
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3) differ += !std::equal(&a.rgb[i], &a.rgb[i] + 3, &b.rgb[i]);
+  return 3.0 * static_cast<double>(differ) / static_cast<double>(a.rgb.size());
+}
+
+// Borders move by up to half of 1/16 px, which shows where a pixel's centre lies that near; and a gap would.
+TEST(HiddenVerb, TheOutputIsASceneThatShowsTheSamePicture) {
+  for (const char* name : {"S1.json", "clockwork.json", "island.json"}) {
+    const CompiledScene scene = flat_scene(name);
+    const Picture before = picture_of(scene);
+    for (const std::uint32_t window : {0u, 24u}) {
+      const FacetList facets(scene, Facing::as_culled);
+      const CompiledScene again = compile(parse_scene("again", hidden_json(view_of(scene, window), facets, scene)));
+      EXPECT_LT(share_that_differs(before, picture_of(again)), 0.0012) << name << " " << window;
+    }
+  }
+}
+
+std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> as_set(const std::vector<Line>& lines) {
+  std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> set;
+  for (const Line& line : lines) set.insert({{line.from.x, line.from.y}, {line.to.x, line.to.y}});
+  return set;
+}
+
+TEST(HiddenVerb, ACubeHasNineVisibleEdgesAndThreeHiddenOnes) {
+  const CompiledScene scene = compile(parse_scene("cube", kCube));
+  const std::vector<Line> visible = visible_lines(view_of(scene, 0));
+  EXPECT_EQ(visible.size(), 9u);
+  EXPECT_EQ(as_set(visible).size(), 9u);
+  const SceneDescription& d = scene.description();
+  EXPECT_EQ(hidden_lines(FacetList(scene, Facing::all), visible, d.width, d.height).size(), 3u);
+}
+
+// Lines that share more than a point would be drawn twice.
+TEST(HiddenVerb, EveryEdgeIsDrawnOnce) {
+  for (const std::uint32_t window : {0u, 16u}) {
+    const std::vector<Line> lines = visible_lines(view_of(flat_scene("clockwork.json"), window));
+    ASSERT_GT(lines.size(), 500u);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (std::size_t j = i + 1; j < lines.size(); ++j) {
+        const Line &a = lines[i], &b = lines[j];
+        if (area::orientation(a.from, a.to, b.from) != 0 || area::orientation(a.from, a.to, b.to) != 0) continue;
+        const area::GridPoint low = b.from < a.from ? a.from : b.from, high = a.to < b.to ? a.to : b.to;
+        ASSERT_FALSE(low < high) << "lines overlap at " << low.x << ", " << low.y;
+      }
+    }
+  }
+}
+
+TEST(HiddenVerb, WritesDrawings) {
+  const TemporaryFolder folder;
+  const std::string svg = folder.file("a.svg"), json = folder.file("a.json"), lines = folder.file("l.svg");
+  const std::string cube = folder.file("cube.json");
+  write_file(cube, kCube);
+  ToolRun run = run_tool({"hidden", cube, "--svg", svg, "--json", json});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(read_file(svg).find("data-source=\"1\""), std::string::npos);
+  const auto document = nlohmann::json::parse(read_file(json));
+  EXPECT_EQ(document["hidden"]["polygons"].size(), 3u);
+  EXPECT_EQ(document["meshes"].size(), 3u);
+  run = run_tool({"hidden", cube, "--lines", "--dashed", "--svg", lines});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(read_file(lines).find("stroke-dasharray"), std::string::npos);
+  run = run_tool({"render", json, "--out", folder.file("a.ppm")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST(HiddenVerb, WrongUsageIsSaid) {
+  const TemporaryFolder folder;
+  const std::string scene = kScenes + "S1.json", svg = folder.file("a.svg"), json = folder.file("a.json");
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"hidden"},
+                                                    {"hidden", scene},
+                                                    {"hidden", scene, "--lines", "--json", json},
+                                                    {"hidden", scene, "--dashed", "--svg", svg},
+                                                    {"hidden", scene, "--svg", svg, "--window", "0"},
+                                                    {"hidden", scene, "--svg", svg, "--window", "many"}}) {
+    EXPECT_EQ(run_tool(arguments).exit_code, 2);
+  }
+  EXPECT_EQ(run_tool({"hidden", "absent.json", "--svg", svg}).exit_code, 1);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace spanline::host
