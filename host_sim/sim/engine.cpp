@@ -88,8 +88,8 @@ class FrameEngine final : public Engine {
 
 template <Comparator kComparator>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
-  constexpr FrameOptions kPlain{.comparator = kComparator};
-  constexpr FrameOptions kObserved{.comparator = kComparator, .statistics = true, .taps = true};
+  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true};
+  constexpr FrameOptions kObserved{.comparator = kComparator, .statistics = true, .taps = true, .patches = true};
   if (options.observe) return std::make_unique<FrameEngine<kObserved>>(options);
   return std::make_unique<FrameEngine<kPlain>>(options);
 }

@@ -37,7 +37,7 @@ class Frame {
   // Makes ready the longest run of lines from rest.top on whose waiting facets fit their pool, at most `rest`, and
   // returns it. Scene, and what its records point to, must stay as they are until the band is finished; between bands
   // of one frame too. A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a
-  // status, where rest or the camera is out of range.
+  // status, where rest or the camera is out of range, or the scene has patches and FrameOptions::patches is not set.
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
 
   // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte
@@ -57,9 +57,11 @@ class Frame {
       s.bands = bands_;
       s.max_facets = most_facets_;
       s.max_vertices = vertices_;
-      s.max_patch_facets = patches_.most_facets();
-      s.max_patch_vertices = patches_.most_vertices();
-      s.points_emitted = patches_.points();
+      if constexpr (kOptions.patches) {
+        s.max_patch_facets = patches_.most_facets();
+        s.max_patch_vertices = patches_.most_vertices();
+        s.points_emitted = patches_.points();
+      }
     }
     return s;
   }
@@ -72,15 +74,19 @@ class Frame {
   std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
   bool file_facets(std::uint16_t top, std::uint16_t bottom);
   bool file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
-  bool file_patches(std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
+  // Templates, so that a frame without patches_ does not have them.
+  template <typename Patches>
+  bool file_patches(Patches& patches, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
+  template <typename Patches>
+  Room begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line);
   bool wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count);
   bool begin_facets(std::uint16_t line);
   Room begin_facet(std::uint16_t face, std::uint16_t line);
-  Room begin_patch_facet(std::uint16_t face, const DicedFacet& facet, std::uint16_t line);
   const LightRig& lights();
-  // Whether facets of a patch are shaded from normals at their corners.
-  bool keeps_normals(const MaterialRecord& material) const {
-    return material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && patches_.has_normals();
+  // Whether facets of patches are shaded from normals at their corners.
+  template <typename Patches>
+  bool keeps_normals(const Patches& patches, const MaterialRecord& material) const {
+    return material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && patches.has_normals();
   }
   // One line needs more of a pool than there is.
   void note_full(const char* pool, std::uint32_t needed, std::uint32_t limit, std::uint16_t line) {
@@ -98,7 +104,8 @@ class Frame {
   SceneView scene_;
   CameraRecord camera_{};
   FacetReader reader_;
-  PatchSource patches_;
+  struct NoPatches {};
+  [[no_unique_address]] std::conditional_t<kOptions.patches, PatchSource, NoPatches> patches_;
   LightRig lights_;
   std::uint32_t lit_instance_ = UINT32_MAX;
   VisibleSegments<kOptions> vsg_;

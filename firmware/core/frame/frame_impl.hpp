@@ -23,10 +23,11 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       facets_(storage.facets),
       buckets_(storage.buckets),
       cache_(storage.vertices),
-      patches_(storage.patches, storage.screen),
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
-      height_(storage.screen.height) {}
+      height_(storage.screen.height) {
+  if constexpr (kOptions.patches) patches_ = PatchSource(storage.patches, storage.screen);
+}
 
 template <FrameOptions kOptions>
 bool Frame<kOptions>::same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const {
@@ -40,12 +41,16 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     status_ = {};
     vsg_.clear_status();
     if constexpr (kOptions.statistics) vsg_.clear_statistics();
-    patches_.clear_statistics();
+    if constexpr (kOptions.patches) patches_.clear_statistics();
     bands_ = most_facets_ = 0;
   }
   band_ = {};
   if (rest.empty() || rest.bottom > screen_.height) {
     note({Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen_.height});
+    return {};
+  }
+  if (!kOptions.patches && scene.has_patches()) {
+    note({Code::bad_argument, "FrameOptions", "patches (not set)", 0, 0, 0, 0});
     return {};
   }
   const Status status = check_camera(camera);
@@ -83,7 +88,6 @@ std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
 template <FrameOptions kOptions>
 bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
   for (std::uint16_t i = 1; i <= bottom - top; ++i) buckets_[i] = 0;
-  patches_.begin_band(top, bottom);
   std::uint16_t count = 0;
   std::uint32_t refused = 0;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
@@ -92,15 +96,20 @@ bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
     ++refused;
   }
   if (refused != 0) note_full("facets", facets_.capacity() + refused, facets_.capacity(), top);
-  polygons_filed_ = count;
-  if (scene_.has_patches() && !file_patches(top, bottom, count)) return false;
+  if constexpr (kOptions.patches) {
+    if (!file_patches(patches_, top, bottom, count)) return false;
+  }
   if (count > most_facets_) most_facets_ = count;
   return true;
 }
 
 // Dices the patches and files their facets behind those of polygons. False as file_facets().
 template <FrameOptions kOptions>
-bool Frame<kOptions>::file_patches(std::uint16_t top, std::uint16_t bottom, std::uint16_t& count) {
+template <typename Patches>
+bool Frame<kOptions>::file_patches(Patches& patches, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count) {
+  polygons_filed_ = count;
+  patches.begin_band(top, bottom);
+  if (!scene_.has_patches()) return true;
   bool all = true;
   std::uint32_t refused = 0;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
@@ -111,18 +120,19 @@ bool Frame<kOptions>::file_patches(std::uint16_t top, std::uint16_t bottom, std:
     }
     const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
     const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
-    all = patches_.dice(reader_, {&lights(), &material, screen_.format, keeps_normals(material), two_sided}) && all;
+    all = patches.dice(reader_, {&lights(), &material, screen_.format, keeps_normals(patches, material), two_sided}) &&
+          all;
     if (!all && bottom - top > 1) return false;
-    for (auto next = static_cast<std::uint16_t>(count - polygons_filed_ + 1); next <= patches_.count(); ++next) {
-      if (wait(face, patches_.first_line(patches_[next]), top, count)) continue;
+    for (auto next = static_cast<std::uint16_t>(count - polygons_filed_ + 1); next <= patches.count(); ++next) {
+      if (wait(face, patches.first_line(patches[next]), top, count)) continue;
       if (bottom - top > 1) return false;
-      refused = patches_.count() - next + 1u;
+      refused = patches.count() - next + 1u;
       break;
     }
   }
   if (refused != 0) note_full("facets", facets_.capacity() + refused, facets_.capacity(), top);
   if (!all) {
-    const PatchSource::Shortage shortage = patches_.shortage();
+    const PatchSource::Shortage shortage = patches.shortage();
     note_full(shortage.pool, shortage.needed, shortage.limit, top);
   }
   return true;
@@ -179,27 +189,32 @@ template <FrameOptions kOptions>
 bool Frame<kOptions>::begin_facets(std::uint16_t line) {
   const auto bucket = static_cast<std::uint32_t>(line - (planned_ - height_) + 1);
   for (std::uint16_t at = buckets_[bucket]; at != 0; at = facets_[at].next) {
-    const std::uint16_t face = facets_[at].face;
-    const Room room = at <= polygons_filed_
-                          ? begin_facet(face, line)
-                          : begin_patch_facet(face, patches_[static_cast<std::uint16_t>(at - polygons_filed_)], line);
+    Room room = Room::enough;
+    if constexpr (kOptions.patches) {
+      room = at <= polygons_filed_ ? begin_facet(facets_[at].face, line) : begin_patch_facet(patches_, at, line);
+    } else {
+      room = begin_facet(facets_[at].face, line);
+    }
     if (room == Room::no_edges) return false;
   }
   return true;
 }
 
 template <FrameOptions kOptions>
-Room Frame<kOptions>::begin_patch_facet(std::uint16_t face, const DicedFacet& facet, std::uint16_t line) {
+template <typename Patches>
+Room Frame<kOptions>::begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line) {
+  const std::uint16_t face = facets_[waiting].face;
+  const DicedFacet& facet = patches[static_cast<std::uint16_t>(waiting - polygons_filed_)];
   const auto add = [&](const FacetLook& look, const auto& colour) {
-    return vsg_.add({face, facet.part}, false, line, look, [&](auto& sink) { patches_.read(facet, colour, sink); });
+    return vsg_.add({face, facet.part}, false, line, look, [&](auto& sink) { patches.read(facet, colour, sink); });
   };
   reader_.select(face);
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
-  if (!keeps_normals(material)) {
+  if (!keeps_normals(patches, material)) {
     return add({facet.payload, false}, [](const Normal10&) { return Rgb8{}; });
   }
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
-  const bool flip = two_sided && !patches_.front(facet, reader_.mirrored());
+  const bool flip = two_sided && !patches.front(facet, reader_.mirrored());
   const LightRig& rig = lights();
   return add({0, true}, [&](const Normal10& normal) { return rig.shade(normal, material, flip); });
 }

@@ -24,6 +24,23 @@ struct FrameStorage {
   PatchStorage patches;
 };
 
+// The pools of patches, where there are any.
+template <std::uint16_t kFacets, std::uint16_t kVertices, bool kNormals>
+class PatchMemory {
+ public:
+  PatchStorage storage(std::uint32_t tolerance) { return {facets_.ref(), vertices_.ref(), normals_.ref(), tolerance}; }
+
+ private:
+  Pool<DicedFacet, kFacets> facets_;
+  Pool<ScreenPoint, kVertices> vertices_;
+  Pool<Normal10, kNormals ? kVertices : 0> normals_;
+};
+template <std::uint16_t kVertices, bool kNormals>
+class PatchMemory<0, kVertices, kNormals> {
+ public:
+  PatchStorage storage(std::uint32_t) { return {}; }
+};
+
 template <Budget kBudget>
 class FrameMemory {
   static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
@@ -47,7 +64,7 @@ class FrameMemory {
              {samples_[0].ref(), samples_[1].ref()},
              implied_.ref(),
              nullptr},
-            {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), kBudget.patch_tolerance}};
+            patches_.storage(kBudget.patch_tolerance)};
   }
 
  private:
@@ -61,9 +78,7 @@ class FrameMemory {
   Pool<ActiveSegment, kBudget.active == 0 ? kBudget.segments : kBudget.active> active_;
   Pool<std::int16_t, kBudget.samples> samples_[2];
   Pool<ImpliedEdge, kBudget.implied> implied_;
-  Pool<DicedFacet, kBudget.patch_facets> patch_facets_;
-  Pool<ScreenPoint, kBudget.patch_vertices> patch_vertices_;
-  Pool<Normal10, kBudget.gouraud ? kBudget.patch_vertices : 0> patch_normals_;
+  [[no_unique_address]] PatchMemory<kBudget.patch_facets, kBudget.patch_vertices, kBudget.gouraud> patches_;
 };
 
 }  // namespace spanline

@@ -15,6 +15,7 @@ struct VsgOptions {
   XSort x_sort = XSort::list;
   bool statistics = false;  // count what Fig. 33 counts
   bool taps = false;        // spans carry their depth ramp
+  bool patches = false;     // Bezier patches are drawn: 10 KB of code and the pools of Budget::patch_facets
 };
 
 }  // namespace spanline

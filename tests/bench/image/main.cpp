@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::uint32_t kLineBytes = bytes_per_line(shown::kBudget.format, shown::kBudget.width);
 
+using TheFrame = Frame<FrameOptions{.patches = shown::kBudget.patch_facets != 0}>;
+
 FrameMemory<shown::kBudget> memory;
 alignas(4) std::uint8_t lines[2][kLineBytes];
 std::uint32_t sum = 2166136261u;  // FNV-1a
@@ -27,7 +29,7 @@ void draw() {
   SceneView view;
   outcome = SceneView::validate(shown::scene, view);
   if (!outcome.ok()) return;
-  Frame<> frame(memory.storage());
+  TheFrame frame(memory.storage());
   unsigned turn = 0;
   frame_begin_mark();
   for (Band rest{0, shown::kBudget.height}; !rest.empty();) {
@@ -61,7 +63,7 @@ int main() {
   print_pair("memory", sizeof memory);
   print_pair("lines", sizeof lines);
   print_pair("stack", stack);
-  print_pair("frame", sizeof(Frame<>));
+  print_pair("frame", sizeof(TheFrame));
   print_pair("checksum", sum);
   boards::print("status=");
   boards::print(outcome.ok() ? "ok" : outcome.where);
