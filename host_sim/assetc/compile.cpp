@@ -1,6 +1,7 @@
 #include "assetc/compile.hpp"
 
 #include "assetc/extent.hpp"
+#include "assetc/fans.hpp"
 #include "assetc/fixed_point.hpp"
 #include "assetc/input_error.hpp"
 #include "assetc/merge.hpp"
@@ -166,6 +167,7 @@ void CompiledScene::look(const View& view) {
 void CompiledScene::merge_coplanar(std::uint32_t most_corners) {
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     meshes_[i] = host::merge_coplanar(meshes_[i], scene_.meshes[i].place, most_corners);
+    build_fans(meshes_[i]);
     mesh_records_[i] = meshes_[i].record();
   }
 }

@@ -24,6 +24,8 @@ struct MeshTables {
   std::uint16_t face_count = 0;
   Fx16 origin[3];
   std::int32_t unit = 1;
+  std::vector<std::uint16_t> fan_starts;
+  std::vector<FanEdge> fans;
 
   MeshRecord record() const;
 };

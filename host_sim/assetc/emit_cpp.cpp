@@ -94,6 +94,9 @@ void emit_mesh_tables(std::ostringstream& out, const MeshTables& mesh, const std
     return braces(g.first_corner, g.first_face, g.face_count, g.corners_per_face, g.first_contour, g.contour_count,
                   g.material);
   });
+  emit_table(out, "std::uint16_t", "kFanStarts" + suffix, mesh.fan_starts, number);
+  emit_table(out, "spanline::FanEdge", "kFans" + suffix, mesh.fans,
+             [](const FanEdge& e) { return braces(e.to, e.face, e.twin); });
 }
 
 // A name as a C++ string literal; what is not plain ASCII becomes '_'.
@@ -111,7 +114,8 @@ std::string mesh_record(const MeshTables& mesh, const std::string& suffix) {
       << slice_of("kCorners" + suffix, mesh.corners.size()) << ", "
       << slice_of("kContours" + suffix, mesh.contours.size()) << ", "
       << slice_of("kGroups" + suffix, mesh.groups.size()) << ", " << mesh.face_count << ", " << fixed3(mesh.origin)
-      << ", " << mesh.unit << "}";
+      << ", " << mesh.unit << ", " << slice_of("kFanStarts" + suffix, mesh.fan_starts.size()) << ", "
+      << slice_of("kFans" + suffix, mesh.fans.size()) << "}";
   return out.str();
 }
 
@@ -195,8 +199,9 @@ TableSizes table_sizes(const CompiledScene& scene) {
     sizes.normals += (mesh.vertex_normals.size() + mesh.face_normals.size()) * sizeof(Normal10);
     sizes.indices += (mesh.corners.size() + mesh.contours.size()) * sizeof(std::uint16_t);
     sizes.groups += mesh.groups.size() * sizeof(FaceGroup);
+    sizes.fans += mesh.fan_starts.size() * sizeof(std::uint16_t) + mesh.fans.size() * sizeof(FanEdge);
   }
-  constexpr std::size_t kMeshBytes = 4 + 6 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
+  constexpr std::size_t kMeshBytes = 4 + 8 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
   sizes.records = scene.meshes().size() * kMeshBytes + scene.instances().size() * sizeof(InstanceRecord) +
                   scene.materials().size() * sizeof(MaterialRecord) + scene.lights().size() * sizeof(LightRecord);
   return sizes;
@@ -213,6 +218,7 @@ std::string emit_report(const CompiledScene& scene, const TableSizes& before) {
   row("normals    ", sizes.normals);
   row("indices    ", sizes.indices);
   row("groups     ", sizes.groups);
+  row("fans       ", sizes.fans);
   row("records    ", sizes.records);
   out << "total      " << sizes.total() << " bytes; before merging " << before.total() << "\n";
   out << "one unit of the scene is " << scene.fit().scale << " world units about (" << scene.fit().centre.x << ", "

@@ -4,6 +4,7 @@
 #include "assetc/compile.hpp"
 #include "assetc/extent.hpp"
 #include "assetc/face_table.hpp"
+#include "assetc/fans.hpp"
 #include "assetc/fixed_point.hpp"
 #include "assetc/input_error.hpp"
 #include "assetc/polygon.hpp"
@@ -118,7 +119,9 @@ MeshRecord MeshTables::record() const {
           view_of(groups),
           face_count,
           {origin[0], origin[1], origin[2]},
-          unit};
+          unit,
+          view_of(fan_starts),
+          view_of(fans)};
 }
 
 MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>& materials, const MeshFit& fit,
@@ -139,6 +142,7 @@ MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>&
     if (!mesh.of_patches()) add_normals(mesh, vertices, smooth, tables);
   }
   add_faces(mesh, static_cast<std::uint16_t>(materials.size() - 1), tables);
+  if (!on_screen) build_fans(tables);
   return tables;
 }
 

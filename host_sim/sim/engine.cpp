@@ -86,12 +86,19 @@ class FrameEngine final : public Engine {
   Statistics before_;
 };
 
-template <Comparator kComparator>
+template <Comparator kComparator, Walker kWalker>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
-  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true};
-  constexpr FrameOptions kObserved{.comparator = kComparator, .statistics = true, .taps = true, .patches = true};
+  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true, .walker = kWalker};
+  constexpr FrameOptions kObserved{
+      .comparator = kComparator, .statistics = true, .taps = true, .patches = true, .walker = kWalker};
   if (options.observe) return std::make_unique<FrameEngine<kObserved>>(options);
   return std::make_unique<FrameEngine<kPlain>>(options);
+}
+
+template <Comparator kComparator>
+std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
+  return options.walker == Walker::segments ? make_engine<kComparator, Walker::segments>(options)
+                                            : make_engine<kComparator, Walker::both>(options);
 }
 
 }  // namespace

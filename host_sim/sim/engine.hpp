@@ -17,7 +17,8 @@ struct EngineOptions {
   std::uint16_t width = 320, height = 240;  // px
   PixelFormat format = PixelFormat::rgb565;
   Comparator comparator = Comparator::plane;
-  std::uint16_t bands = 1;  // at least that many equal ones
+  Walker walker = Walker::segments;  // both: the edge walker where it can; never edges
+  std::uint16_t bands = 1;       // at least that many equal ones
   PoolSizes pools;
   bool observe = false;                                              // face and depth of every pixel, statistics
   std::function<void(Slice<const std::uint8_t> wire)> on_line = {};  // sees each line as it is finished

@@ -30,7 +30,13 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       patch_facets_(sizes.patch_facets),
       patch_vertices_(sizes.patch_vertices),
       patch_normals_(sizes.patch_vertices),
-      patch_tolerance_(sizes.patch_tolerance) {}
+      patch_tolerance_(sizes.patch_tolerance),
+      points_(sizes.vertices),
+      links_(sizes.vertices),
+      vertex_buckets_(screen.height),
+      faces_(sizes.facets),
+      active_edges_{Blocks<ActiveEdge>(sizes.edges), Blocks<ActiveEdge>(sizes.edges)},
+      planes_(255) {}
 
 FrameStorage HostMemory::storage() {
   return {screen_,
@@ -45,7 +51,14 @@ FrameStorage HostMemory::storage() {
            {samples_[0].ref(), samples_[1].ref()},
            implied_.ref(),
            nullptr},
-          {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), patch_tolerance_}};
+          {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), patch_tolerance_},
+          {{points_.ref(),
+            links_.ref(),
+            vertex_buckets_.ref(),
+            {active_edges_[0].ref(), active_edges_[1].ref()},
+            planes_.ref()},
+           faces_.ref(),
+           true}};
 }
 
 }  // namespace spanline::host

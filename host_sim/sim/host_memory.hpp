@@ -54,6 +54,12 @@ class HostMemory {
   Blocks<ScreenPoint> patch_vertices_;
   Blocks<Normal10> patch_normals_;
   std::uint16_t patch_tolerance_;
+  Blocks<ScreenXY> points_;  // the edge walker's from here on
+  Blocks<std::uint16_t> links_;
+  Blocks<std::uint16_t> vertex_buckets_;
+  Blocks<std::uint16_t> faces_;
+  Blocks<ActiveEdge> active_edges_[2];
+  Blocks<CachedPlane> planes_;
 };
 
 }  // namespace spanline::host

@@ -26,6 +26,13 @@ std::uint16_t parse_tolerance(const std::string& text) {
   return static_cast<std::uint16_t>(px * 16);
 }
 
+// Both: what the edge walker cannot draw is left to the segment walker.
+Walker parse_walker(const std::string& text) {
+  if (text == "segments") return Walker::segments;
+  if (text == "edges") return Walker::both;
+  throw UsageError("--walker: '" + printable(text) + "' is not one of segments, edges");
+}
+
 Picture picture_of_ids(const Rendering& rendering) {
   Picture picture(rendering.picture.width, rendering.picture.height);
   std::uint8_t* rgb = picture.rgb.data();
@@ -58,7 +65,9 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   verb_->add_option("--frames", frames_, "A:B, all frames from A to B, both included, in numbered files");
   verb_->add_option("--format", format_, "pixels as a panel gets them: rgb565 (default), grey8, grey4, mono1");
   verb_->add_option("--comparator", comparator_, "how depths are compared: plane (default) or midpoint");
-  verb_->add_option("--walker", walker_, "what finds the visible spans: segments");
+  verb_->add_option("--walker", walker_,
+                    "what finds the visible spans: edges (default, where the scene has triangle meshes within the view "
+                    "and neither --stats nor --comparator asks for the other) or segments");
   verb_->add_option("--bands", bands_, "prepare the picture in at least so many equal bands");
   verb_->add_option("--pools", pools_,
                     "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, "
@@ -111,9 +120,9 @@ EngineOptions RenderCommand::engine_options(const SceneDescription& scene) const
   options.observe = ids_ || depth_ || stats_;
   if (format_) options.format = parse_format("--format", *format_);
   if (comparator_) options.comparator = parse_comparator(*comparator_);
-  if (walker_ && *walker_ != "segments") {
-    throw UsageError("--walker: '" + printable(*walker_) + "' is not available; this build has: segments");
-  }
+  // The statistics are the segment walker's, and the comparators are two of its ways.
+  options.walker = stats_ || comparator_ ? Walker::segments : Walker::both;
+  if (walker_) options.walker = parse_walker(*walker_);
   if (bands_) options.bands = static_cast<std::uint16_t>(parse_integer("--bands", *bands_, 1, kMaxExtent));
   if (tolerance_) options.pools.patch_tolerance = parse_tolerance(*tolerance_);
   if (pools_) {

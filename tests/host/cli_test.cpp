@@ -66,7 +66,7 @@ TEST(CommandLine, WrongUsageIsTwo) {
       {"render", kCube, "--out", "o.ppm", "--frames", "5:3"},
       {"render", kCube, "--out", "o.ppm", "--frame", "1", "--frames", "0:3"},
       {"render", kCube, "--out", "o.ppm", "--comparator", "float"},
-      {"render", kCube, "--out", "o.ppm", "--walker", "edges"},
+      {"render", kCube, "--out", "o.ppm", "--walker", "faces"},
       {"render", kCube, "--out", "o.ppm", "--bands", "0"},
       {"render", kCube, "--out", "o.ppm", "--pools", "facets"},
       {"render", kCube, "--out", "o.ppm", "--pools", "beans=3"},

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/pixel_format.hpp"
+#include "core/vsg/options.hpp"
 
 namespace spanline {
 
@@ -25,6 +26,11 @@ struct Budget {
   std::uint16_t patch_vertices = 0;   // their corners and two rows of a patch's grid: 8 bytes each, 4 more with gouraud
   std::uint16_t patch_tolerance = 8;  // 1/16 px that an edge of a facet may be off the patch: 8 is half a pixel
   bool gouraud = true;  // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
+  // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, `facets`),
+  // the place of every vertex (6 bytes each, `vertices`), the edges of one line, which may be shared by two faces (32
+  // bytes each, `edges`), and some depth planes. For the other pools see above.
+  Walker walker = Walker::segments;
+  std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
 };
 
 }  // namespace spanline

@@ -1,30 +1,11 @@
 // A frame: a scene seen by a camera, made line by line. This is the engine's front door.
 #pragma once
 
-#include "core/frame/storage.hpp"
-#include "core/geom/camera.hpp"
-#include "core/shade/light.hpp"
-#include "core/shade/painter.hpp"
+#include "core/frame/mesh_frame.hpp"
 
 namespace spanline {
 
-// A run of scan lines, [top, bottom).
-struct Band {
-  std::uint16_t top = 0, bottom = 0;
-  constexpr bool empty() const { return top >= bottom; }
-  constexpr std::uint16_t lines() const {
-    return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top);
-  }
-  friend constexpr bool operator==(const Band&, const Band&) = default;
-};
-
 using FrameOptions = VsgOptions;
-
-// Sees every visible span before it is painted; for tools (VsgOptions::taps).
-struct SpanTap {
-  void* context = nullptr;
-  void (*span)(void* context, const VisibleSpan& span) = nullptr;
-};
 
 template <FrameOptions kOptions = FrameOptions{}>
 class Frame {
@@ -70,6 +51,12 @@ class Frame {
  private:
   struct Sink;
 
+  bool has_mesh_lines() const {
+    if constexpr (kOptions.walker == Walker::both) return mesh_.ready();
+    return false;
+  }
+  void read_vertices();
+  bool mesh_line(std::uint16_t line);
   bool same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const;
   std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
   bool file_facets(std::uint16_t top, std::uint16_t bottom);
@@ -101,6 +88,8 @@ class Frame {
   PoolRef<WaitingFacet> facets_;
   PoolRef<std::uint16_t> buckets_;
   PoolRef<ScreenPoint> cache_;
+  [[no_unique_address]] std::conditional_t<kOptions.walker == Walker::both, MeshLines<kOptions.taps>, NoMeshLines>
+      mesh_;
   SceneView scene_;
   CameraRecord camera_{};
   FacetReader reader_;
@@ -117,6 +106,14 @@ class Frame {
   std::uint16_t height_ = 0;          // lines of the run planned last: where the next plan begins
   std::uint16_t polygons_filed_ = 0;  // of the facets filed; those of patches follow them, in patches_'s order
   std::uint16_t bands_ = 0, most_facets_ = 0, vertices_ = 0;
+};
+
+// With the edge walker alone.
+template <FrameOptions kOptions>
+requires(kOptions.walker == Walker::edges) class Frame<kOptions>
+    : public MeshFrame<kOptions.taps, kOptions.statistics> {
+ public:
+  using MeshFrame<kOptions.taps, kOptions.statistics>::MeshFrame;
 };
 
 }  // namespace spanline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/frame.hpp"
+#include "core/frame/mesh_lines_impl.hpp"
 
 namespace spanline {
 
@@ -23,6 +24,7 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       facets_(storage.facets),
       buckets_(storage.buckets),
       cache_(storage.vertices),
+      mesh_(storage.mesh, storage.screen),
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
       height_(storage.screen.height) {
@@ -45,28 +47,43 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     bands_ = most_facets_ = 0;
   }
   band_ = {};
-  if (rest.empty() || rest.bottom > screen_.height) {
-    note({Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen_.height});
-    return {};
+  Status status = check_band(rest, screen_);
+  if (status.ok() && !kOptions.patches && scene.has_patches()) {
+    status = {Code::bad_argument, "FrameOptions", "patches (not set)", 0, 0, 0, 0};
   }
-  if (!kOptions.patches && scene.has_patches()) {
-    note({Code::bad_argument, "FrameOptions", "patches (not set)", 0, 0, 0, 0});
-    return {};
-  }
-  const Status status = check_camera(camera);
+  if (status.ok()) status = check_camera(camera);
   if (!status.ok()) {
     note(status);
     return {};
   }
-  if (!again) {
-    scene_ = scene;
-    camera_ = camera;
-    lit_instance_ = UINT32_MAX;
-    reader_ = FacetReader(scene_, camera_, screen_, cache_);
-    vertices_ = reader_.fill_cache();
+  const bool had_segments = again && !has_mesh_lines();
+  scene_ = scene;
+  camera_ = camera;
+  if constexpr (kOptions.walker == Walker::both) {
+    if (!had_segments && mesh_.begin(scene_, camera_, rest.top).ok()) return band_ = rest;
   }
+  if (!had_segments) read_vertices();
   band_ = {rest.top, plan(rest.top, rest.bottom)};
   return band_;
+}
+
+template <FrameOptions kOptions>
+void Frame<kOptions>::read_vertices() {
+  lit_instance_ = UINT32_MAX;
+  reader_ = FacetReader(scene_, camera_, screen_, cache_);
+  vertices_ = reader_.fill_cache();
+}
+
+// Where the edge walker gave up the segment walker goes on, from the line's beginning.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::mesh_line(std::uint16_t line) {
+  if constexpr (kOptions.walker == Walker::both) {
+    if (!mesh_.ready()) return false;
+    if (mesh_.next(line, painter_, tap_).ok()) return true;
+    read_vertices();
+    plan(line, band_.bottom);
+  }
+  return false;
 }
 
 // Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The run planned last,
@@ -162,12 +179,16 @@ bool Frame<kOptions>::wait(std::uint16_t face, std::int32_t first_line, std::uin
 template <FrameOptions kOptions>
 bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
-  if (out.size() < line_bytes() || reinterpret_cast<std::uintptr_t>(out.data()) % 4 != 0) {
-    note({Code::bad_argument, "line", out.size() < line_bytes() ? "size" : "alignment", 0, band_.top, out.size(),
-          line_bytes()});
+  if (const Status status = check_line(out, line_bytes(), band_.top); !status.ok()) {
+    note(status);
     return false;
   }
   const std::uint16_t line = band_.top;
+  painter_.begin_line(line, out.data(), scene_.scene().background);
+  if (mesh_line(line)) {
+    ++band_.top;
+    return true;
+  }
   if (line == planned_) plan(line, band_.bottom);
   vsg_.begin_line(line);
   // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files
@@ -176,7 +197,6 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
     height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
     plan(line, static_cast<std::uint16_t>(line + (planned_ - line) / 2));
   }
-  painter_.begin_line(line, out.data(), scene_.scene().background);
   Sink sink{painter_, tap_};
   vsg_.run(line, sink);
   note(vsg_.status());

@@ -1,8 +1,11 @@
 // FrameMemory: the only storage of a frame, sized by its budget.
 #pragma once
 
+#include <type_traits>
+
 #include "core/frame/budget.hpp"
 #include "core/frame/patch_source.hpp"
+#include "core/vsg/edge_walker.hpp"
 #include "core/vsg/visible_segments.hpp"
 
 namespace spanline {
@@ -11,6 +14,13 @@ namespace spanline {
 struct WaitingFacet {
   std::uint16_t next;
   std::uint16_t face;
+};
+
+// What the edge walker's side of a frame uses.
+struct MeshStorage {
+  EdgeStorage walker;
+  PoolRef<std::uint16_t> faces;  // of the scene: what each of them looks like
+  bool gouraud = false;          // whether Gouraud's materials are drawn as such; otherwise flat
 };
 
 // A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
@@ -22,6 +32,7 @@ struct FrameStorage {
   PoolRef<ScreenPoint> vertices;
   VsgStorage vsg;
   PatchStorage patches;
+  MeshStorage mesh;
 };
 
 // The pools of patches, where there are any.
@@ -41,30 +52,23 @@ class PatchMemory<0, kVertices, kNormals> {
   PatchStorage storage(std::uint32_t) { return {}; }
 };
 
+// The pools of one walker.
 template <Budget kBudget>
-class FrameMemory {
-  static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
-  static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
+class SegmentPools {
   static_assert(kBudget.facets > 0 && kBudget.polygons > 0 && kBudget.segments > 0, "these pools cannot be empty");
   static_assert(kBudget.patch_vertices <= PatchStorage::kMostVertices, "Budget::patch_vertices is out of range");
   static_assert(kBudget.patch_tolerance > 0, "Budget::patch_tolerance is out of range");
   static constexpr std::uint16_t kBandLines = kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines;
 
  public:
-  FrameStorage storage() {
-    return {{kBudget.width, kBudget.height, kBudget.format},
-            facets_.ref(),
-            buckets_.ref(),
-            vertices_.ref(),
-            {polygons_.ref(),
-             edges_.ref(),
-             segments_.ref(),
-             shades_.ref(),
-             active_.ref(),
-             {samples_[0].ref(), samples_[1].ref()},
-             implied_.ref(),
-             nullptr},
-            patches_.storage(kBudget.patch_tolerance)};
+  void add_to(FrameStorage& storage) {
+    storage.facets = facets_.ref();
+    storage.buckets = buckets_.ref();
+    storage.vertices = vertices_.ref();
+    storage.vsg = {polygons_.ref(), edges_.ref(),  segments_.ref(),
+                   shades_.ref(),   active_.ref(), {samples_[0].ref(), samples_[1].ref()},
+                   implied_.ref(),  nullptr};
+    storage.patches = patches_.storage(kBudget.patch_tolerance);
   }
 
  private:
@@ -79,6 +83,46 @@ class FrameMemory {
   Pool<std::int16_t, kBudget.samples> samples_[2];
   Pool<ImpliedEdge, kBudget.implied> implied_;
   [[no_unique_address]] PatchMemory<kBudget.patch_facets, kBudget.patch_vertices, kBudget.gouraud> patches_;
+};
+
+template <Budget kBudget>
+class MeshPools {
+ public:
+  void add_to(FrameStorage& storage) {
+    storage.mesh = {{points_.ref(), links_.ref(), buckets_.ref(), {edges_[0].ref(), edges_[1].ref()}, planes_.ref()},
+                    faces_.ref(),
+                    kBudget.gouraud};
+  }
+
+ private:
+  Pool<ScreenXY, kBudget.vertices> points_;
+  Pool<std::uint16_t, kBudget.vertices> links_;
+  Pool<std::uint16_t, kBudget.height> buckets_;
+  Pool<std::uint16_t, kBudget.facets> faces_;
+  Pool<ActiveEdge, kBudget.edges> edges_[2];
+  Pool<CachedPlane, kBudget.planes> planes_;
+};
+
+struct NoPools {
+  void add_to(FrameStorage&) {}
+};
+
+template <Budget kBudget>
+class FrameMemory {
+  static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
+  static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
+
+ public:
+  FrameStorage storage() {
+    FrameStorage storage{{kBudget.width, kBudget.height, kBudget.format}, {}, {}, {}, {}, {}, {}};
+    segments_.add_to(storage);
+    mesh_.add_to(storage);
+    return storage;
+  }
+
+ private:
+  [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::edges, NoPools, SegmentPools<kBudget>> segments_;
+  [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::segments, NoPools, MeshPools<kBudget>> mesh_;
 };
 
 }  // namespace spanline

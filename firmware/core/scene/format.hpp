@@ -69,6 +69,15 @@ struct FaceGroup {
   std::uint16_t material;       // index into SceneRecord::materials
 };
 
+// An edge as one of its two vertices sees it: what the edge walker starts when its line comes to that vertex. Both
+// vertices have it in their fans, each from its own side.
+struct FanEdge {
+  static constexpr std::uint16_t kNone = 0xffff;
+  std::uint16_t to;    // the other vertex
+  std::uint16_t face;  // mesh face whose ring runs from the fan's vertex to `to`; kNone at a border
+  std::uint16_t twin;  // mesh face whose ring runs the other way
+};
+
 // Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31
 // world units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count. The faces
 // of a mesh are all polygons or all patches. Patches have no normals in the record: they come from their shape.
@@ -83,6 +92,10 @@ struct MeshRecord {
   std::uint16_t face_count;
   Fx16 origin[3];
   std::int32_t unit;  // Q1.31, > 0
+  // Of triangle meshes only, for the edge walker: the edges around vertex v are [fan_starts[v], fan_starts[v + 1]) of
+  // fans, in order of face and twin. Both empty: the mesh has no fans.
+  Slice<const std::uint16_t> fan_starts = {};
+  Slice<const FanEdge> fans = {};
 
   bool of_patches() const { return groups[0].contour_count == FaceGroup::kPatches; }
 };

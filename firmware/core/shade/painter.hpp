@@ -20,9 +20,11 @@ class Painter {
   // The spans to come belong to `line`; `out` begins on a word boundary and holds line_bytes() at least.
   void begin_line(std::uint16_t line, std::uint8_t* out, const BackgroundRecord& background);
   void span(const VisibleSpan& span);
+  // A span of one colour, as flat_payload() gives it.
+  void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
+  std::uint16_t background() const { return background_; }  // of the line
 
  private:
-  void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
   void gouraud(const VisibleSpan& span);
   void gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
   void gouraud_grey(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);

@@ -44,6 +44,20 @@ DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
   return plane;
 }
 
+DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen) {
+  struct Corners {
+    FacetVertex corner[3];
+    unsigned count = 0;
+    void begin_contour() {}
+    void vertex(const FacetVertex& v) { corner[count++] = v; }
+    void end_contour() {}
+  } corners;
+  reader.select(face);
+  reader.read([](std::uint16_t) { return Rgb8{}; }, corners);
+  CHECK(corners.count == 3);
+  return depth_plane(corners.corner, screen);
+}
+
 DepthRamp depth_between(const SegmentHalf& left, const SegmentHalf& right) {
   // With l = e / D the way from an edge to its column: width = c_r - c_l + l_l - l_r px, and the column c_l lies l_l /
   // width of the way along. Multiplied by both D that is exact in 64 bits; the quotients then need 32.

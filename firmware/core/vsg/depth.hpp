@@ -17,6 +17,9 @@ struct DepthPlane {
 };
 DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen);
 
+// The plane of a face of the scene, a triangle that the view does not clip. Makes it the reader's current face.
+DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen);
+
 // The ramp between two edges whose columns differ, from their exact places on the line; error below 2^-6 units.
 DepthRamp depth_between(const SegmentHalf& left, const SegmentHalf& right);
 

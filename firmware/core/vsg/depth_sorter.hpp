@@ -32,7 +32,6 @@ template <VsgOptions kOptions, typename XSort>
 class DepthSorter {
  public:
   using Store = SegmentStore<kOptions.statistics>;
-  using Counters = std::conditional_t<kOptions.statistics, Statistics, NoStatistics>;
   struct Parts {
     Store* store;
     Polygons* polygons;
@@ -70,7 +69,7 @@ class DepthSorter {
     p_.implied->sweep(line);
   }
 
-  Counters& statistics() { return counters_; }
+  Counters<kOptions.statistics>& statistics() { return counters_; }
   // How many segments the active list had no room for on the line made last.
   std::uint32_t left_out() const { return left_out_; }
   void clear_statistics() { counters_ = {}; }
@@ -260,17 +259,7 @@ class DepthSorter {
   }
 
   void make_plane(PolygonBlock& polygon) {
-    struct Corners {
-      FacetVertex corner[3];
-      unsigned count = 0;
-      void begin_contour() {}
-      void vertex(const FacetVertex& v) { corner[count++] = v; }
-      void end_contour() {}
-    } corners;
-    p_.reader->select(polygon.face);
-    p_.reader->read([](std::uint16_t) { return Rgb8{}; }, corners);
-    CHECK(corners.count == 3);
-    const DepthPlane plane = depth_plane(corners.corner, p_.screen);
+    const DepthPlane plane = face_plane(*p_.reader, polygon.face, p_.screen);
     polygon.ramp = plane.ramp;
     polygon.down = plane.down;
     polygon.flags |= PolygonBlock::kHasPlane;
@@ -364,7 +353,7 @@ class DepthSorter {
   }
 
   Parts p_{};
-  Counters counters_;
+  Counters<kOptions.statistics> counters_;
   std::uint16_t line_ = 0, left_out_ = 0;
   std::int32_t active_count_ = 0;
   ActiveSegment pending_{};

@@ -9,6 +9,11 @@ namespace spanline {
 // How segments are kept in order of X from line to line: the seed's last step (VSG6) or the one before it (VSG5).
 enum class XSort : std::uint8_t { list, buckets };
 
+// Who finds the visible spans: seed 1's segment walker, which draws everything; the edge walker, which draws triangle
+// meshes with fans that lie inside the view (see EdgeWalker), faster; or the edge walker with the other one to fall
+// back on. The picture is the same.
+enum class Walker : std::uint8_t { segments, edges, both };
+
 // What is compiled in. A structural type: used as a template argument.
 struct VsgOptions {
   Comparator comparator = Comparator::plane;
@@ -16,6 +21,7 @@ struct VsgOptions {
   bool statistics = false;  // count what Fig. 33 counts
   bool taps = false;        // spans carry their depth ramp
   bool patches = false;     // Bezier patches are drawn: 10 KB of code and the pools of Budget::patch_facets
+  Walker walker = Walker::segments;
 };
 
 }  // namespace spanline

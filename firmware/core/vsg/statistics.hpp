@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace spanline {
 
@@ -31,5 +32,8 @@ struct Statistics {
 struct NoStatistics {
   std::uint32_t comparator_cycles = 0;
 };
+
+template <bool kCount>
+using Counters = std::conditional_t<kCount, Statistics, NoStatistics>;
 
 }  // namespace spanline

@@ -1,0 +1,8 @@
+#include "core/frame/frame_impl.hpp"
+
+namespace spanline {
+
+template class Frame<FrameOptions{.walker = Walker::edges}>;
+template class Frame<FrameOptions{.walker = Walker::both}>;
+
+}  // namespace spanline

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/frame/mesh_lines.hpp"
+#include "core/vsg/statistics.hpp"
+
+namespace spanline {
+
+Status check_band(Band rest, const Screen& screen);
+Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line);
+
+// What a Frame is with the edge walker alone: to be used as every Frame. Scenes that the walker cannot draw are refused
+// by prepare() with the status of MeshLines::begin(); a line for which a pool is too small ends the band, and status()
+// names the pool. prepare() returns all of `rest`.
+template <bool kTaps, bool kStatistics>
+class MeshFrame {
+ public:
+  explicit MeshFrame(const FrameStorage& storage)
+      : screen_(storage.screen), mesh_(storage.mesh, storage.screen), painter_(storage.screen) {}
+  MeshFrame(const MeshFrame&) = delete;
+  MeshFrame& operator=(const MeshFrame&) = delete;
+
+  Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
+  bool next_line(Slice<std::uint8_t> out);
+  std::uint32_t line_bytes() const { return painter_.line_bytes(); }
+  const Status& status() const { return status_; }
+  // max_edges is all that is counted.
+  Counters<kStatistics> statistics() const {
+    Counters<kStatistics> s;
+    if constexpr (kStatistics) s.max_edges = mesh_.most_edges();
+    return s;
+  }
+  void set_tap(const SpanTap& tap) { tap_ = tap; }
+
+ private:
+  Screen screen_;
+  MeshLines<kTaps> mesh_;
+  Painter painter_;
+  [[no_unique_address]] SpanTap tap_;
+  Status status_;
+  Band band_;
+};
+
+template <bool kTaps, bool kStatistics>
+Band MeshFrame<kTaps, kStatistics>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
+  if (rest.top == 0) status_ = {};
+  band_ = {};
+  Status status = check_band(rest, screen_);
+  if (status.ok()) status = check_camera(camera);
+  if (status.ok()) status = mesh_.begin(scene, camera, rest.top);
+  if (status.ok()) return band_ = rest;
+  if (status_.ok()) status_ = status;
+  return {};
+}
+
+template <bool kTaps, bool kStatistics>
+bool MeshFrame<kTaps, kStatistics>::next_line(Slice<std::uint8_t> out) {
+  if (band_.empty()) return false;
+  Status status = check_line(out, line_bytes(), band_.top);
+  if (status.ok()) {
+    painter_.begin_line(band_.top, out.data(), mesh_.scene().background);
+    status = mesh_.next(band_.top, painter_, tap_);
+  }
+  if (status.ok()) {
+    ++band_.top;
+    return true;
+  }
+  if (status_.ok()) status_ = status;
+  band_ = {};
+  return false;
+}
+
+}  // namespace spanline

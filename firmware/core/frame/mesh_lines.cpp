@@ -1,0 +1,35 @@
+#include "core/frame/mesh_frame.hpp"
+#include "core/frame/mesh_lines_impl.hpp"
+
+namespace spanline {
+
+void FaceWords::avoid(FaceId face) {
+  const std::uint16_t old = not_drawn_;
+  const auto taken = [&] {
+    for (FaceId f = 1; f < face; ++f) {
+      if (words_[f] == not_drawn_) return true;
+    }
+    return false;
+  };
+  do {
+    not_drawn_ = static_cast<std::uint16_t>(not_drawn_ + 0x9e37);  // odd: comes round every value
+  } while (not_drawn_ == old || taken());
+  for (FaceId f = 1; f < face; ++f) {
+    if (words_[f] == old) words_[f] = not_drawn_;
+  }
+}
+
+Status check_band(Band rest, const Screen& screen) {
+  if (!rest.empty() && rest.bottom <= screen.height) return {};
+  return {Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen.height};
+}
+
+Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
+  if (out.size() < bytes) return {Code::bad_argument, "line", "size", 0, line, out.size(), bytes};
+  if (reinterpret_cast<std::uintptr_t>(out.data()) % 4 == 0) return {};
+  return {Code::bad_argument, "line", "alignment", 0, line, out.size(), bytes};
+}
+
+template class MeshLines<false>;
+
+}  // namespace spanline

@@ -1,0 +1,94 @@
+// The lines of a frame that the edge walker makes: vertices projected once, faces culled and lit once, then line by
+// line.
+#pragma once
+
+#include "core/frame/storage.hpp"
+#include "core/geom/camera.hpp"
+#include "core/shade/light.hpp"
+#include "core/shade/painter.hpp"
+
+namespace spanline {
+
+// A run of scan lines, [top, bottom).
+struct Band {
+  std::uint16_t top = 0, bottom = 0;
+  constexpr bool empty() const { return top >= bottom; }
+  constexpr std::uint16_t lines() const {
+    return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top);
+  }
+  friend constexpr bool operator==(const Band&, const Band&) = default;
+};
+
+// Sees every visible span before it is painted; for tools (VsgOptions::taps). A line that the edge walker gives up is
+// seen again from its left end.
+struct SpanTap {
+  void* context = nullptr;
+  void (*span)(void* context, const VisibleSpan& span) = nullptr;
+};
+
+// The word of a face: the colour it is painted in, or the one value that means that it is not drawn. That value is no
+// drawn face's colour: where one turns out to have it, another takes its place.
+class FaceWords {
+ public:
+  FaceWords() = default;
+  explicit FaceWords(PoolRef<std::uint16_t> words) : words_(words) {}
+
+  std::uint16_t capacity() const { return words_.capacity(); }
+  std::uint16_t& operator[](FaceId face) { return words_[face]; }
+  bool drawn(FaceId face) const { return words_[face] != not_drawn_; }
+  void hide(FaceId face) { words_[face] = not_drawn_; }
+  // `count`: faces set or hidden so far, from the first on.
+  void set(FaceId face, std::uint16_t color) {
+    if (color == not_drawn_) avoid(face);
+    words_[face] = color;
+  }
+
+ private:
+  void avoid(FaceId face);
+
+  PoolRef<std::uint16_t> words_;
+  std::uint16_t not_drawn_ = 0x2008;
+};
+
+template <bool kTaps>
+class MeshLines {
+ public:
+  MeshLines() = default;
+  MeshLines(const MeshStorage& storage, const Screen& screen);
+
+  // Makes ready the lines from `top` on; costs nothing where they follow the line made last. Fails where the edge
+  // walker cannot draw the scene: the status says which record, or which pool is too small.
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
+  bool ready() const { return ready_; }
+  std::uint32_t most_edges() const { return walker_.most_edges(); }  // see Budget::edges
+  const SceneRecord& scene() const { return scene_.scene(); }
+
+  // Renders the line after the last, where ready. Fails with pool_exhausted, and is not ready any more.
+  Status next(std::uint16_t line, Painter& painter, const SpanTap& tap);
+
+ private:
+  struct Sink;
+
+  Status check(const SceneView& scene) const;
+  bool is_gouraud(const InstanceCursor& at) const;
+  bool project(const InstanceCursor& at);
+  void light(const InstanceCursor& at);
+
+  SceneView scene_;
+  CameraRecord camera_{};
+  Screen screen_;
+  bool gouraud_ = false;
+  PoolRef<ScreenXY> points_;
+  FaceWords words_;
+  FacetReader reader_;
+  EdgeWalker walker_;
+  std::uint16_t line_ = 0;  // to be made next
+  bool ready_ = false;
+};
+
+// Where there is no edge walker.
+struct NoMeshLines {
+  NoMeshLines(const MeshStorage&, const Screen&) {}
+};
+
+}  // namespace spanline

@@ -1,0 +1,29 @@
+#include "core/vsg/active_edge.hpp"
+
+namespace spanline {
+
+EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
+  const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
+  const std::int32_t below = line * kSubpixels + kSubpixels / 2 - top.y;  // 0 <= below < dy <= 2^15
+  CHECK(below >= 0 && below < dy);
+  const std::int32_t left = first_centre(bottom.y) - line;
+  EdgeRun run;
+  run.lines = dy <= kTallEdge || left < exact_lines(dy) ? left : exact_lines(dy);
+
+  const std::int32_t along = dx * below;  // |dx| <= 2^15
+  const std::int32_t whole = floor_div(along, dy);
+  const auto part = static_cast<std::uint32_t>(along - whole * dy);  // < dy
+  const auto height = static_cast<std::uint32_t>(dy);
+  run.x = (top.x - kSubpixels / 2 + whole) * (1 << 16) + static_cast<std::int32_t>((part << 16) / height) +
+          ((1 << ActiveEdge::kFraction) - 1);
+
+  // In two steps, as a remainder of 15 bits leaves room for 17. An edge so flat that the slope does not fit has one
+  // line.
+  const std::int32_t quotient = floor_div(dx, dy);
+  const std::uint32_t remainder = static_cast<std::uint32_t>(dx - quotient * dy) << 16;
+  const std::uint32_t fraction = remainder / height << 4 | (remainder % height << 4) / height;
+  run.dx = static_cast<std::int32_t>((static_cast<std::uint32_t>(quotient) << ActiveEdge::kFraction) + fraction);
+  return run;
+}
+
+}  // namespace spanline

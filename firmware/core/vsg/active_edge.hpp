@@ -1,0 +1,81 @@
+// Edges as the edge walker steps them: 12.20 fixed point, one addition a line, and still in the exact column on every
+// line.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/check.hpp"
+#include "core/fx/bits.hpp"
+#include "core/geom/screen.hpp"
+
+namespace spanline {
+
+// What covers a pixel column, as a sum over the faces that do: their count above, their ids below. With at most one
+// face the low half is its id, and there is neither list nor look-up.
+using CoverKey = std::uint32_t;
+using FaceId = std::uint16_t;  // 1 + the face's number in the scene; 0: none
+
+inline constexpr int kCoverCount = 20;                             // where the count stands
+inline constexpr CoverKey kTwoFaces = CoverKey{2} << kCoverCount;  // keys below: one face or none
+// n ids add up to less than n << 16, so a key of two faces and more never looks like less.
+static_assert(kCoverCount >= 16);
+
+constexpr CoverKey cover_of(FaceId face) { return face == 0 ? 0u : (CoverKey{1} << kCoverCount) + face; }
+constexpr FaceId only_face(CoverKey key) { return static_cast<FaceId>(key); }
+
+// An edge on a scan line. x is where it meets the line's centre, less half a pixel, plus a pixel less a unit: so
+// x >> 20 is the first column whose centre is not left of it.
+struct ActiveEdge {
+  static constexpr int kFraction = 20;
+  static constexpr std::int32_t kNever = INT32_MAX;  // x of the sentinel at an array's end
+  static constexpr std::uint32_t kOneLine = 1u << 17;
+  static constexpr std::uint32_t kTall = 1u << 16;
+
+  std::int32_t x;      // Q12.20 px
+  std::int32_t dx;     // a line
+  CoverKey toggle;     // what it adds to the key: the face that begins less the one that ends
+  std::uint32_t rest;  // lines to come before it ends (or is begun again, where kTall), kTall, the FaceId that ends
+
+  std::int32_t column() const { return x >> kFraction; }
+  FaceId ending() const { return static_cast<FaceId>(rest); }
+  FaceId beginning() const { return only_face(toggle + cover_of(ending())); }
+};
+static_assert(sizeof(ActiveEdge) == 16);
+
+// Where an edge runs: of ActiveEdge, for lines from the one it was made for on.
+struct EdgeRun {
+  std::int32_t x, dx;
+  std::int32_t lines;  // that x + n * dx holds for, 1 at least
+};
+
+// With D = 16 dy, where an edge meets a line is a multiple of 1 / D px: a place that is not a pixel's lies at least
+// 2^20 / D = 65536 / dy units right of one. The slope is cut off towards minus infinity, so x falls behind by less than
+// a unit a line, and by less than one at the start; while x is behind by less than 65536 / dy - 1 the column is exact.
+// From its upper end an edge has dy / 16 lines, so one of
+inline constexpr std::int32_t kTallEdge = 1000;  // 28.4
+// is exact all the way, and a taller one for 65536 / dy - 1 lines from any line where x is exact.
+static_assert(65536 / kTallEdge - 1 >= (kTallEdge + 15) / 16 + 1);
+constexpr std::int32_t exact_lines(std::int32_t dy) {
+  const std::int32_t lines = 65536 / dy - 1;
+  return lines > 1 ? lines : 1;
+}
+static_assert(65536 / 32768 >= 2, "and for one line at any height that the guard band allows");
+
+// The run of an edge from `line`, one of its own lines, on; for edges of any height and slope.
+EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line);
+
+// The same for an edge that is not tall and less than 128 px wide: one divide.
+inline bool is_small(std::int32_t dx, std::int32_t dy) {
+  return static_cast<std::uint32_t>(dx + 2047) < 4095u && dy <= kTallEdge;
+}
+inline EdgeRun start_small_run(ScreenXY top, std::int32_t dx, std::int32_t dy, std::int32_t line, std::int32_t lines) {
+  const std::int32_t run = dx * (1 << ActiveEdge::kFraction);
+  const std::int32_t cut = run / dy;
+  const std::int32_t slope = cut + ((run - cut * dy) >> 31);
+  const std::int32_t below = line * kSubpixels + kSubpixels / 2 - top.y;  // < dy, so the product stays within run
+  const std::int32_t x =
+      (top.x - kSubpixels / 2) * (1 << 16) + ((slope * below) >> 4) + ((1 << ActiveEdge::kFraction) - 1);
+  return {x, slope, lines};
+}
+
+}  // namespace spanline

@@ -1,0 +1,54 @@
+#include "core/vsg/edge_walker.hpp"
+
+namespace spanline {
+
+void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
+  cursor_ = InstanceCursor(scene);
+  buckets_.clear(top, screen_.height);
+  planes_.clear();
+  alive_ = most_ = 0;
+}
+
+// Files an edge among those that begin on the line; they come nearly in order.
+bool EdgeWalker::start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends) {
+  if (alive_ + begun_ + 1 + kSentinels > edges_[0].capacity()) return false;
+  const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
+  const EdgeRun run = is_small(dx, dy) ? start_small_run(top, dx, dy, line, first_centre(bottom.y) - line)
+                                       : start_run(top, bottom, line);
+  const std::uint32_t tall = dy > kTallEdge ? ActiveEdge::kTall : 0;
+  const ActiveEdge edge{run.x, run.dx, cover_of(begins) - cover_of(ends),
+                        static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine + tall + ends};
+  ActiveEdge* const first = &edges_[0][alive_ + 1];
+  ActiveEdge* at = first + begun_++;
+  for (; at != first && at[-1].x > edge.x; --at) *at = at[-1];
+  *at = edge;
+  return true;
+}
+
+// Begins a tall edge again on `line`; false where it has ended, and for every other edge. Of the face that it begins
+// or ends the edge is the left or right one.
+bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
+  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
+  const bool left = edge.ending() == 0;
+  const std::uint32_t face = (left ? edge.beginning() : edge.ending()) - 1u;
+  cursor_.to_face(face);
+  const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
+  const auto point = [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i % 3] + 1]; };
+  for (unsigned i = 0; i < 3; ++i) {
+    ScreenXY top = point(i), bottom = point(i + 1);
+    if (top.y > bottom.y) std::swap(top, bottom);
+    // One that begins on this very line comes from its own vertex.
+    if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
+    const ScreenXY third = point(i + 2);
+    const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
+    if ((side < 0) != left) continue;
+    const EdgeRun run = start_run(top, bottom, line);
+    edge.x = run.x;
+    edge.dx = run.dx;
+    edge.rest += static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace spanline

@@ -1,0 +1,156 @@
+// The edge walker: seed 1's task for meshes whose edges know both their faces. Vertices wait in Y-buckets; one that is
+// reached starts its downward edges from its fan; one pass a line over the edges, in order of X, yields the visible
+// spans and the next line's edges. What a pixel shows is the segment walker's decision in every bit.
+#pragma once
+
+#include <utility>
+
+#include "core/scene/instance_cursor.hpp"
+#include "core/vsg/overlap.hpp"
+#include "core/vsg/plane_cache.hpp"
+#include "core/vsg/vertex_buckets.hpp"
+
+namespace spanline {
+
+struct EdgeStorage {
+  PoolRef<ScreenXY> points;        // a vertex each
+  PoolRef<std::uint16_t> links;    // likewise
+  PoolRef<std::uint16_t> buckets;  // a line each
+  PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's
+  PoolRef<CachedPlane> planes;     // any number
+};
+
+class EdgeWalker {
+ public:
+  EdgeWalker() = default;
+  EdgeWalker(const EdgeStorage& storage, const Screen& screen)
+      : buckets_(storage.buckets, storage.links, storage.points),
+        points_(storage.points),
+        edges_{storage.edges[0], storage.edges[1]},
+        planes_(storage.planes),
+        screen_(screen) {}
+
+  // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
+  // for each before faces are filed.
+  void begin(const SceneRecord& scene, std::int32_t top);
+  void forget(std::uint32_t vertex) { buckets_.forget(static_cast<std::uint16_t>(vertex + 1)); }
+  // Files a vertex of a face that is drawn.
+  void file(std::uint32_t vertex) { buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
+
+  // Starts the edges that begin on `line`; to be called for every line from top on. drawn(FaceId) says whether a face
+  // is drawn: those that are run counter-clockwise on the screen. False where there is no room for an edge.
+  template <typename Drawn>
+  bool start_edges(std::int32_t line, const Drawn& drawn);
+
+  // The visible spans of the line: sink.one(left, right, FaceId) where one face covers it or none (0),
+  // sink.front(left, right, FaceId, ramp) where others are behind. plane(FaceId) makes a face's depth plane. Steps the
+  // edges. False where more faces cover a pixel than the overlap set holds.
+  template <typename Sink, typename Plane>
+  bool walk(std::int32_t line, Sink& sink, const Plane& plane);
+
+  std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
+  std::uint32_t edge_capacity() const { return edges_[0].capacity(); }
+
+ private:
+  static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
+
+  bool start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends);
+  bool run_again(ActiveEdge& edge, std::int32_t line);
+  template <typename Sink, typename Plane>
+  void show(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, Sink& sink, const Plane& plane);
+
+  InstanceCursor cursor_;
+  VertexBuckets buckets_;
+  PoolRef<ScreenXY> points_;
+  PoolRef<ActiveEdge> edges_[2];  // [1 … alive] and the sentinel; [alive + 2 … ] those that begin, and theirs
+  PlaneCache planes_;
+  Screen screen_;
+  OverlapSet overlap_;
+  std::uint32_t alive_ = 0, begun_ = 0, most_ = 0;
+};
+template <typename Drawn>
+bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
+  begun_ = 0;
+  for (std::uint16_t vertex = buckets_.sorted(line); vertex != 0; vertex = buckets_.next(vertex)) {
+    cursor_.to_vertex(vertex - 1u);
+    const MeshRecord& mesh = cursor_.mesh();
+    const std::uint32_t own = vertex - 1u - cursor_.first_vertex();
+    for (std::uint32_t i = mesh.fan_starts[own]; i < mesh.fan_starts[own + 1]; ++i) {
+      const FanEdge& edge = mesh.fans[i];
+      const ScreenXY bottom = points_[cursor_.first_vertex() + edge.to + 1];
+      if (first_centre(bottom.y) <= line) continue;
+      const auto id = [&](std::uint16_t face) {
+        const auto number = static_cast<FaceId>(cursor_.first_face() + face + 1);
+        return face != FanEdge::kNone && drawn(number) ? number : FaceId{0};
+      };
+      // Of an edge that runs down, the counter-clockwise face lies on the right.
+      const FaceId begins = id(edge.face), ends = id(edge.twin);
+      if (begins == ends) continue;  // neither is drawn
+      if (!start_edge(points_[vertex], bottom, line, begins, ends)) return false;
+    }
+  }
+  if (alive_ + begun_ + kSentinels > most_) most_ = alive_ + begun_ + kSentinels;
+  edges_[0][alive_].x = edges_[0][alive_ + 1 + begun_].x = ActiveEdge::kNever;
+  return true;
+}
+
+template <typename Sink, typename Plane>
+void EdgeWalker::show(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, Sink& sink,
+                      const Plane& plane) {
+  if (key < kTwoFaces) return sink.one(left, right, only_face(key));
+  const auto ramp_of = [&](FaceId face) {
+    const DepthPlane& p = planes_.of(face, plane);
+    return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
+  };
+  resolve_overlap(overlap_, left, right, ramp_of,
+                  [&](std::int32_t from, std::int32_t to, FaceId face, const DepthRamp& ramp) {
+                    sink.front(from, to, face, ramp);
+                  });
+}
+
+template <typename Sink, typename Plane>
+bool EdgeWalker::walk(std::int32_t line, Sink& sink, const Plane& plane) {
+  const ActiveEdge* edge = &edges_[0][0];
+  const ActiveEdge* fresh = edge + alive_ + 1;
+  const ActiveEdge *edge_shown = edge, *fresh_shown = fresh;  // the first that have come since
+  ActiveEdge* const begin = &edges_[1][0];
+  ActiveEdge* out = begin;
+  CoverKey key = 0, key_shown = 0;
+  std::int32_t left = 0;
+  bool whole = true;
+  const auto show_to = [&](std::int32_t right) {
+    // The order of edges in one column is not that of their faces: only between columns is the key what it says, and
+    // the set is brought up to date there.
+    if (key >= kTwoFaces) {
+      if (key_shown < kTwoFaces) overlap_.set(only_face(key_shown));
+      for (const ActiveEdge* e = edge_shown; e != edge; ++e) overlap_.toggle(*e);
+      for (const ActiveEdge* e = fresh_shown; e != fresh; ++e) overlap_.toggle(*e);
+      whole = whole && !overlap_.overflow();
+    }
+    edge_shown = edge;
+    fresh_shown = fresh;
+    key_shown = key;
+    show(line, left, right, key, sink, plane);
+    left = right;
+  };
+  for (;;) {
+    const bool begins = fresh->x < edge->x;
+    const ActiveEdge& next = begins ? *fresh : *edge;
+    if (next.x == ActiveEdge::kNever) break;
+    const std::int32_t column = next.column() < screen_.width ? next.column() : screen_.width;
+    if (column > left) show_to(column);
+    ++(begins ? fresh : edge);
+    key += next.toggle;
+    ActiveEdge stepped{next.x + next.dx, next.dx, next.toggle, next.rest - ActiveEdge::kOneLine};
+    if (stepped.rest < ActiveEdge::kOneLine && !run_again(stepped, line + 1)) continue;
+    ActiveEdge* at = out++;
+    for (; at != begin && at[-1].x > stepped.x; --at) *at = at[-1];
+    *at = stepped;
+  }
+  if (left < screen_.width) show_to(screen_.width);
+  alive_ = static_cast<std::uint32_t>(out - begin);
+  std::swap(edges_[0], edges_[1]);
+  return whole;
+}
+
+}  // namespace spanline
