@@ -32,10 +32,12 @@ build_board() {
   cmake --build "$folder" ${2:+--target "$2"} -- $quiet
 }
 
-# sizes BOARD: what each image takes of flash and RAM. The stack is part of the RAM; what remains is free.
+# sizes BOARD: what each image takes of flash and RAM. The stack is part of the RAM, and how much of it can be used at most
+# is told where the host tool can look into images; what remains is free.
 sizes() {
   for image in build/firmware/"$1"/*.elf; do
-    arm-none-eabi-readelf -SW "$image" | awk -v name="$1/$(basename "$image" .elf)" -v file="$image" '
+    used=$(sh firmware/boards/stack_bound.sh build/host/spanline "$image" "$1") || used=
+    arm-none-eabi-readelf -SW "$image" | awk -v name="$1/$(basename "$image" .elf)" -v used="$used" '
       function number(hex, digits, i, value) {
         for (i = 1; i <= length(hex); i++) value = value * 16 + index("0123456789abcdef", substr(hex, i, 1)) - 1
         return value
@@ -47,7 +49,10 @@ sizes() {
         if ($1 ~ /^\.(stack|data|bss|request)$/) ram += size
         if ($1 == ".stack") stack = size
       }
-      END { printf "%-28s flash %7d B   RAM %7d B, the stack %d B of it\n", name, flash, ram, stack }'
+      END {
+        printf "%-28s flash %7d B   RAM %7d B, the stack %d B of it", name, flash, ram, stack
+        print used == "" ? "" : ", used " used " B at most"
+      }'
   done
 }
 

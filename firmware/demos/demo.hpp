@@ -53,13 +53,21 @@ struct Layouts {
 
   const char* name;
   void (*pose)(std::uint32_t frame, const Shot& shot, const Moving& moving);
-  Layout wide;   // as wide as high or wider
-  Layout tall;   // higher than wide
-  Layout small;  // fewer than kSmallHeight lines: closer, simpler, more contrast
+  Layout wide;    // wider than high
+  Layout tall;    // higher than wide
+  Layout square;  // as wide as high, and within the circle of a round glass
+  Layout small;   // fewer than kSmallHeight lines: closer, simpler, more contrast
 
   constexpr Demo framed_for(const Screen& screen) const {
-    const Layout& layout = screen.height < kSmallHeight ? small : screen.height > screen.width ? tall : wide;
+    const Layout& layout = layout_for(screen);
     return {name, pose, layout.shot, layout.budget};
+  }
+
+ private:
+  constexpr const Layout& layout_for(const Screen& screen) const {
+    if (screen.height < kSmallHeight) return small;
+    if (screen.height == screen.width) return square;
+    return screen.height > screen.width ? tall : wide;
   }
 };
 

@@ -4,6 +4,7 @@
 #include "demos/demo.hpp"
 #include "gauges_scene.hpp"
 #include "gauges_small_scene.hpp"
+#include "gauges_square_scene.hpp"
 #include "gauges_tall_scene.hpp"
 
 namespace spanline::demos {
@@ -18,6 +19,9 @@ inline constexpr Layouts gauges{
      {.facets = 320, .vertices = 1425, .polygons = 48, .edges = 256, .segments = 48, .samples = 48, .implied = 8}},
     {{&gauges_tall_scene::scene, &gauges_tall_scene::camera, &gauges_tall_scene::kTarget, gauges_tall_scene::kOrigins,
       gauges_tall_scene::kWidth, gauges_tall_scene::kHeight},
+     {.facets = 320, .vertices = 1425, .polygons = 48, .edges = 256, .segments = 48, .samples = 48, .implied = 8}},
+    {{&gauges_square_scene::scene, &gauges_square_scene::camera, &gauges_square_scene::kTarget,
+      gauges_square_scene::kOrigins, gauges_square_scene::kWidth, gauges_square_scene::kHeight},
      {.facets = 320, .vertices = 1425, .polygons = 48, .edges = 256, .segments = 48, .samples = 48, .implied = 8}},
     {{&gauges_small_scene::scene, &gauges_small_scene::camera, &gauges_small_scene::kTarget,
       gauges_small_scene::kOrigins, gauges_small_scene::kWidth, gauges_small_scene::kHeight},

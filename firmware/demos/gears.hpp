@@ -4,6 +4,7 @@
 #include "demos/demo.hpp"
 #include "gears_scene.hpp"
 #include "gears_small_scene.hpp"
+#include "gears_square_scene.hpp"
 #include "gears_tall_scene.hpp"
 
 namespace spanline::demos {
@@ -18,6 +19,9 @@ inline constexpr Layouts gears{
      {.facets = 384, .vertices = 1240, .polygons = 72, .edges = 320, .segments = 80, .implied = 16, .gouraud = false}},
     {{&gears_tall_scene::scene, &gears_tall_scene::camera, &gears_tall_scene::kTarget, gears_tall_scene::kOrigins,
       gears_tall_scene::kWidth, gears_tall_scene::kHeight},
+     {.facets = 384, .vertices = 1240, .polygons = 72, .edges = 320, .segments = 80, .implied = 16, .gouraud = false}},
+    {{&gears_square_scene::scene, &gears_square_scene::camera, &gears_square_scene::kTarget,
+      gears_square_scene::kOrigins, gears_square_scene::kWidth, gears_square_scene::kHeight},
      {.facets = 384, .vertices = 1240, .polygons = 72, .edges = 320, .segments = 80, .implied = 16, .gouraud = false}},
     {{&gears_small_scene::scene, &gears_small_scene::camera, &gears_small_scene::kTarget, gears_small_scene::kOrigins,
       gears_small_scene::kWidth, gears_small_scene::kHeight},

@@ -4,6 +4,7 @@
 #include "demos/demo.hpp"
 #include "teapot_scene.hpp"
 #include "teapot_small_scene.hpp"
+#include "teapot_square_scene.hpp"
 
 namespace spanline::demos {
 
@@ -19,6 +20,9 @@ inline constexpr Layouts teapot{
     pose_teapot,
     kTeapotLarge,
     kTeapotLarge,
+    {{&teapot_square_scene::scene, &teapot_square_scene::camera, &teapot_square_scene::kTarget,
+      teapot_square_scene::kOrigins, teapot_square_scene::kWidth, teapot_square_scene::kHeight},
+     kTeapotLarge.budget},
     {{&teapot_small_scene::scene, &teapot_small_scene::camera, &teapot_small_scene::kTarget,
       teapot_small_scene::kOrigins, teapot_small_scene::kWidth, teapot_small_scene::kHeight},
      {.facets = 512, .vertices = 530, .polygons = 72, .edges = 32, .segments = 72, .samples = 48, .implied = 8}}};

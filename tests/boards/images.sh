@@ -13,6 +13,7 @@ tools=$3
 sums=$4
 board=$5
 demos="teapot cubes gears gauges"
+[ "$board" = template ] && known=pico || known=$board  # to the host tool: the template is a Pico's
 
 quiet() { "$@" > "$build.log" 2>&1 || { cat "$build.log"; exit 1; }; }
 quiet cmake -G Ninja -S "$source" -B "$build" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
@@ -23,6 +24,14 @@ quiet cmake --build "$build" -j 2
 for demo in $demos; do
   printf '%s ' "$demo"
   sh "$source/tests/target/image_checks.sh" "$build/$demo.elf"
+  # Where the host tool can look into images, it bounds the stack, which what runs must keep to.
+  reserved=$(arm-none-eabi-nm "$build/$demo.elf" | awk '$3 == "stack_bottom" || $3 == "stack_top" { print "0x" $1 }' | sort | tr '\n' ' ')
+  # shellcheck disable=SC2086  # two addresses
+  set -- $reserved
+  bound=$(sh "$source/firmware/boards/stack_bound.sh" "$tools/spanline" "$build/$demo.elf" "$known") || [ $? -eq 77 ]
+  echo "$demo stack=$(($2 - $1)) bound=${bound:-unknown}"
+  [ "${bound:-0}" -le $(($2 - $1)) ] || { echo "the stack is too small"; exit 1; }
+  echo "${bound:-$(($2 - $1))}" > "$build/$demo.bound"
   for made in bin hex map; do [ -s "$build/$demo.$made" ] || { echo "no $demo.$made"; exit 1; }; done
 done
 
@@ -44,7 +53,9 @@ same() {
     "$sums" "$1" "$board" "$2" > "$shown.host.txt"
     grep -v '^shown' "$shown.txt" | cmp - "$shown.host.txt"
   fi
-  echo "$1 frame $2: as on the host, $(sed -n 's/^shown .*\(stack=.*\)/\1/p' "$shown.txt")"
+  used=$(sed -n 's/^shown .*stack=\([0-9]*\)$/\1/p' "$shown.txt")
+  echo "$1 frame $2: as on the host, stack used $used of at most $(cat "$build/$1.bound")"
+  [ "$used" -le "$(cat "$build/$1.bound")" ] || { echo "deeper than its bound"; exit 1; }
 }
 
 for demo in $demos; do

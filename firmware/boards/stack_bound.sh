@@ -1,0 +1,19 @@
+#!/bin/sh
+# Prints the bytes of stack that an image can use at most, by its machine code, one exception included.
+# usage: stack_bound.sh SPANLINE IMAGE.elf BOARD    (SPANLINE: the host tool; where it cannot look at images: exit 77)
+set -eu
+[ $# -eq 3 ] || { echo "usage: stack_bound.sh SPANLINE IMAGE.elf BOARD" >&2; exit 2; }
+"$1" budget --help > /dev/null 2>&1 || exit 77
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# What the code does not tell: the constructors that start-up calls, and the poses that a demo may have.
+arm-none-eabi-nm "$2" | awk '$3 ~ /^_GLOBAL__sub_I_/ { print "reset calls " $3 }' > "$work/notes"
+[ -s "$work/notes" ] || echo "reset calls nothing" > "$work/notes"
+show=$(arm-none-eabi-nm -C "$2" | sed -n 's/^[0-9a-f]* [Tt] \(spanline::demos::Stage::show(.*\)/\1/p')
+arm-none-eabi-nm -C "$2" | sed -n "s/^[0-9a-f]* [Tt] \(spanline::demos::pose_.*\)/$show calls \1/p" >> "$work/notes"
+
+"$1" budget "$2" --board "$3" --until main --stack-notes "$work/notes" --json "$work/report.json" > "$work/report.txt" ||
+  { cat "$work/report.txt" >&2; exit 1; }
+{ grep '"bound"' "$work/report.json"; grep 'an exception adds at most' "$work/report.txt" || :; } |
+  awk '{ for (i = 1; i <= NF; i++) if ($i ~ /^[0-9]+,?$/) sum += $i } END { print sum }'
