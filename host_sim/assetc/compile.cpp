@@ -165,11 +165,18 @@ void CompiledScene::look(const View& view) {
 }
 
 void CompiledScene::merge_coplanar(std::uint32_t most_corners) {
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    meshes_[i] = host::merge_coplanar(meshes_[i], scene_.meshes[i].place, most_corners);
-    build_fans(meshes_[i]);
-    mesh_records_[i] = meshes_[i].record();
-  }
+  for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) merge_coplanar(mesh, most_corners);
+}
+
+void CompiledScene::merge_coplanar(std::size_t mesh, std::uint32_t most_corners) {
+  MeshTables merged = host::merge_coplanar(meshes_[mesh], scene_.meshes[mesh].place, most_corners);
+  build_fans(merged);
+  replace(mesh, std::move(merged));
+}
+
+void CompiledScene::replace(std::size_t mesh, MeshTables tables) {
+  meshes_[mesh] = std::move(tables);
+  mesh_records_[mesh] = meshes_[mesh].record();
 }
 
 SceneRecord CompiledScene::record() const {

@@ -58,8 +58,11 @@ class CompiledScene {
   // Looks from elsewhere (the world scale was chosen for eyes within the `reach` given to compile()).
   void look(const View& view);
 
-  // Makes larger faces of coplanar neighbours (merge.hpp). Faces are numbered anew, the picture stays.
+  // Makes larger faces of coplanar neighbours (merge.hpp). Faces are numbered anew.
   void merge_coplanar(std::uint32_t most_corners);
+  void merge_coplanar(std::size_t mesh, std::uint32_t most_corners);
+  // Puts other tables in the place of a mesh's.
+  void replace(std::size_t mesh, MeshTables tables);
 
   SceneRecord record() const;
   const CameraRecord& camera() const { return camera_; }

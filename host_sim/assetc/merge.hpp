@@ -1,5 +1,6 @@
 // Coplanar neighbours become one face: fewer facets to wait, to sort and to compare. No outline and no colour changes;
-// only where something pierces a merged face may the line move, by less than a pixel, since depths are rounded anew.
+// only where something pierces a merged face may the line move, by less than a pixel, since depths are rounded anew:
+// sim/unseen_merge.hpp merges where that does not happen.
 #pragma once
 
 #include <string>

@@ -9,14 +9,16 @@
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
 #include "sim/status_text.hpp"
+#include "sim/unseen_merge.hpp"
 
 namespace spanline::host {
 namespace {
 
 constexpr const char* kFooter =
-    "Coplanar neighbours of one material become one face where outlines and colours stay the same; where something "
-    "pierces such a face, the line may move by less than a pixel. That numbers the faces anew; `spanline render` never "
-    "merges, so its --ids are those of the scene as it is written.";
+    "Coplanar neighbours of one material become one face where outlines and colours stay the same. A mesh that would "
+    "change a pixel that way, because something pierces or touches it, stays as it is: pictures from all around and "
+    "along the motion are compared. Merging numbers the faces anew; `spanline render` never merges, so its --ids are "
+    "those of the scene as it is written.";
 
 }  // namespace
 
@@ -39,7 +41,10 @@ std::uint32_t AssetsCommand::merge_most() const {
 void AssetsCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));
   const TableSizes before = table_sizes(scene);
-  if (!no_merge_) scene.merge_coplanar(merge_most());
+  const UnseenMerge merge = no_merge_ ? UnseenMerge{} : merge_unseen(scene, merge_most());
+  for (const std::string& mesh : merge.kept_apart) {
+    std::cerr << "spanline: note: the faces of " << mesh << " stay apart: merged they would change a pixel\n";
+  }
   const SceneRecord record = scene.record();
   validated(record, scene.description().place);
   const std::string name = identifier_from(header_.value_or(out_));

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "assetc/scene_json.hpp"
+#include "demos/all.hpp"
 #include "sim/engine.hpp"
 #include "sim/status_text.hpp"
+#include "sim/unseen_merge.hpp"
 
 namespace spanline::host {
 namespace {
@@ -143,6 +145,60 @@ TEST(Merge, NotAPixelDiffers) {
        {"scenes/clockwork.json", "demos/gears.json", "demos/gauges.json", "demos/gauges_tall.json", "scenes/S1.json"}) {
     EXPECT_EQ(changed(read_scene(std::string("assets/") + scene), kMostMergedCorners).pixels, 0u) << scene;
   }
+}
+
+std::vector<std::uint8_t> picture_of(demos::Stage& stage, Engine& engine, std::uint32_t frame) {
+  stage.show(frame);
+  Rendering rendering;
+  EXPECT_TRUE(engine.render(stage.view(), stage.camera(), rendering).ok());
+  return rendering.picture.rgb;
+}
+
+// Frames of the demo in which the tables that the build made differ from those of the scene as it is written.
+std::vector<std::uint32_t> frames_changed(demos::Demo demo, const Screen& screen, const std::string& scene,
+                                          std::uint32_t loop) {
+  EngineOptions options;
+  options.width = screen.width;
+  options.height = screen.height;
+  options.format = screen.format;
+  const std::unique_ptr<Engine> engine = Engine::make(options);
+  const CompiledScene plain = compile(read_scene("assets/demos/" + scene + ".json"));
+  const SceneRecord record = plain.record();
+  demos::Stage built, written;
+  EXPECT_TRUE(built.begin(demo, screen).ok());
+  demo.shot.scene = &record;
+  EXPECT_TRUE(written.begin(demo, screen).ok());
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t frame = 0; frame < loop; frame += 7) {
+    if (picture_of(built, *engine, frame) != picture_of(written, *engine, frame)) changed.push_back(frame);
+  }
+  return changed;
+}
+
+TEST(Merge, NoPoseOfADemoShowsIt) {
+  constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, PixelFormat::rgb565},
+      kSquare{240, 240, PixelFormat::rgb565}, kSmall{128, 64, PixelFormat::grey4};
+  const struct {
+    const demos::Layouts& demo;
+    const char* name;
+    std::uint32_t loop;
+  } all[] = {{demos::gears, "gears", 600}, {demos::gauges, "gauges", 360}};  // the others have nothing to merge
+  using Frames = std::vector<std::uint32_t>;
+  for (const auto& [demo, scene, loop] : all) {
+    const std::string name = scene;
+    EXPECT_EQ(frames_changed(demo.framed_for(kWide), kWide, name, loop), Frames()) << name;
+    EXPECT_EQ(frames_changed(demo.framed_for(kTall), kTall, name + "_tall", loop), Frames()) << name;
+    EXPECT_EQ(frames_changed(demo.framed_for(kSquare), kSquare, name + "_square", loop), Frames()) << name;
+    EXPECT_EQ(frames_changed(demo.framed_for(kSmall), kSmall, name + "_small", loop), Frames()) << name;
+  }
+}
+
+TEST(Merge, WhatWouldShowStaysApart) {
+  CompiledScene scene = compile(read_scene("assets/scenes/island.json"));
+  const std::size_t faces = scene.meshes()[0].face_count + scene.meshes()[1].face_count;
+  const UnseenMerge merge = merge_unseen(scene, kMostMergedCorners);
+  EXPECT_EQ(merge.kept_apart, std::vector<std::string>{"land"}) << "its shore is pierced by the lake";
+  EXPECT_EQ(scene.meshes()[0].face_count + scene.meshes()[1].face_count, faces);
 }
 
 // The plane of a merged face is rounded from other corners than those of its parts: where something pierces it, the
