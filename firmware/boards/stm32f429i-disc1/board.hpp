@@ -1,7 +1,7 @@
 // ST STM32F429I-DISC1: 180 MHz Cortex-M4F, ILI9341 of 240 x 320 on SPI5, fed by DMA2 stream 4.
 //
-//   clock PF7, data PF9, chip select PC2, command/data PD13, read strobe PD12 (high: never), light PG13; the panel's
-//   reset is the board's
+//   clock PF7, data PF9, chip select PC2, command/data PD13, read strobe PD12 (high: never), light PG13; the panel
+//   answers on its data line, so that begin() finds it absent; its reset is the board's
 #pragma once
 
 #include "boards/common/clocked.hpp"
@@ -18,7 +18,8 @@ inline constexpr hal::stm32f4::SpiWiring kSpi5{.base = 0x40015000,
                                                .clock_port = 'F',
                                                .clock_pin = 7,
                                                .data_port = 'F',
-                                               .data_pin = 9};
+                                               .data_pin = 9,
+                                               .answer = hal::stm32f4::Answer::data_line};
 
 class Board : public Clocked<kClockPlan.hz()>, public AnyBudget {
   template <char kPort, unsigned kNumber>
