@@ -2,6 +2,7 @@
 // line.
 #pragma once
 
+#include "core/frame/depth_rows.hpp"
 #include "core/frame/storage.hpp"
 #include "core/geom/camera.hpp"
 #include "core/shade/light.hpp"
@@ -67,6 +68,7 @@ class MeshLines {
   Status next(std::uint16_t line, Painter& painter, const SpanTap& tap);
 
  private:
+  template <bool kWide>
   struct Sink;
 
   Status check(const SceneView& scene) const;
@@ -80,7 +82,7 @@ class MeshLines {
   bool gouraud_ = false;
   PoolRef<ScreenXY> points_;
   FaceWords words_;
-  FacetReader reader_;
+  DepthRows rows_;
   EdgeWalker walker_;
   std::uint16_t line_ = 0;  // to be made next
   bool ready_ = false;

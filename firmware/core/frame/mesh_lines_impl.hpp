@@ -3,12 +3,15 @@
 
 #include "core/frame/facet_color.hpp"
 #include "core/frame/mesh_lines.hpp"
+#include "core/shade/fill_words.hpp"
 
 namespace spanline {
 
 template <bool kTaps>
+template <bool kWide>
 struct MeshLines<kTaps>::Sink {
   Painter& painter;
+  std::uint8_t* out;
   FaceWords& words;
   const SpanTap& tap;
   MeshLines& mesh;
@@ -18,16 +21,24 @@ struct MeshLines<kTaps>::Sink {
     if constexpr (kTaps) {
       DepthRamp ramp;
       if (face != 0) {
-        const DepthPlane plane = face_plane(mesh.reader_, static_cast<std::uint16_t>(face - 1), mesh.screen_);
+        const DepthPlane plane = mesh.rows_.plane(face - 1u, mesh.points_);
         ramp = {plane.ramp.at_zero + plane.down * line, plane.ramp.slope};
       }
       report(left, right, face, ramp);
     }
-    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), words[face]);
+    fill(left, right, face);
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
     if constexpr (kTaps) report(left, right, face, ramp);
-    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), words[face]);
+    fill(left, right, face);
+  }
+  void fill(std::int32_t left, std::int32_t right, FaceId face) {
+    const auto from = static_cast<std::uint32_t>(left), to = static_cast<std::uint32_t>(right);
+    if constexpr (kWide) {
+      fill_span(out, from, to, words[face]);
+    } else {
+      painter.fill(from, to, words[face]);
+    }
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
     if (tap.span == nullptr) return;
@@ -57,7 +68,7 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(scene); !status.ok()) return status;
-  reader_ = FacetReader(scene_, camera_, screen_, {});
+  rows_ = DepthRows(scene_.scene(), camera_, screen_);
   walker_.begin(scene_.scene(), top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
@@ -151,9 +162,11 @@ Status MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTa
     return {Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity};
   }
   words_[0] = painter.background();
-  Sink sink{painter, words_, tap, *this, line};
-  const auto plane = [this](FaceId face) { return face_plane(reader_, static_cast<std::uint16_t>(face - 1), screen_); };
-  if (!walker_.walk(line, sink, plane)) {
+  const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
+  const auto walk = [&]<bool kWide>(Sink<kWide> sink) { return walker_.walk(line, sink, plane); };
+  const bool wide = screen_.format == PixelFormat::rgb565 && screen_.width % 2 == 0;
+  if (!(wide ? walk(Sink<true>{painter, painter.out(), words_, tap, *this, line})
+             : walk(Sink<false>{painter, painter.out(), words_, tap, *this, line}))) {
     return {Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost};
   }
   ready_ = true;

@@ -45,15 +45,12 @@ struct ClipMatrix {
   std::int32_t offset[3];     // Q16.16
   bool mirrored;              // the instance's transform turns fronts into clockwise
 
-  ClipPoint operator()(const Position& p) const {
-    std::int32_t v[3];
-    for (int row = 0; row < 3; ++row) {
-      const std::int64_t sum = std::int64_t{linear[row][0]} * p.x + std::int64_t{linear[row][1]} * p.y +
-                               std::int64_t{linear[row][2]} * p.z;  // Q17.31
-      v[row] = saturate32(shift_round(sum, 15) + offset[row]);
-    }
-    return {v[0], v[1], v[2]};
+  std::int32_t row(int i, const Position& p) const {
+    const std::int64_t sum = std::int64_t{linear[i][0]} * p.x + std::int64_t{linear[i][1]} * p.y +
+                             std::int64_t{linear[i][2]} * p.z;  // Q17.31
+    return saturate32(shift_round(sum, 15) + offset[i]);
   }
+  ClipPoint operator()(const Position& p) const { return {row(0, p), row(1, p), row(2, p)}; }
 };
 
 // Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them
@@ -95,11 +92,9 @@ struct Projection {
       return shift_round(mul_high(v * (1 << up), inverse), 15);
     };
     static_assert(kGuardPx * kSubpixels == 1 << 14);
-    const std::int32_t depth = mul_high(near_w << up, inverse) >> (29 - kDepthBits);
-    constexpr std::int32_t kNearest = (1 << kDepthBits) - 1;
     ScreenPoint out;
     out.at = {static_cast<std::int16_t>(centre_x + scaled(p.x)), static_cast<std::int16_t>(centre_y + scaled(p.y))};
-    out.depth = static_cast<std::uint32_t>(depth < kNearest ? depth : kNearest) & 0xffffffu;
+    out.depth = depth_from(inverse, up) & 0xffffffu;
     out.outcode = 0;
     return out;
   }
@@ -113,6 +108,19 @@ struct Projection {
     p.x = clamp(p.x, -p.w, p.w);
     p.y = clamp(p.y, -p.w, p.w);
     return (*this)(p);
+  }
+
+  // The depth of a point w ahead, inside the near plane; what the point's projection has.
+  std::uint32_t depth(std::int32_t w) const {
+    const int up = std::countl_zero(static_cast<std::uint32_t>(w)) - 1;
+    return depth_from(static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up)), up);
+  }
+
+ private:
+  std::uint32_t depth_from(std::int32_t inverse, int up) const {
+    const std::int32_t depth = mul_high(near_w << up, inverse) >> (29 - kDepthBits);
+    constexpr std::int32_t kNearest = (1 << kDepthBits) - 1;
+    return static_cast<std::uint32_t>(depth < kNearest ? depth : kNearest);
   }
 };
 

@@ -84,6 +84,8 @@ LightRig::LightRig(const SceneRecord& scene, const Transform& transform) : count
   }
   for (int i = 0; i < 3; ++i) {
     ambient_[i] = scene.ambient[i];
+    grey_ = grey_ && ambient_[i] == ambient_[0];
+    for (std::uint32_t l = 0; l < count_; ++l) grey_ = grey_ && intensity_[l][i] == intensity_[l][0];
     for (int j = 0; j < 3; ++j) normal_matrix_[i][j] = static_cast<std::int16_t>(turned[i][j]);
   }
 }
@@ -100,7 +102,8 @@ std::uint32_t LightRig::turned_length(const Normal10& normal) const {
 }
 
 // Q1.15.
-std::int32_t LightRig::diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const {
+[[gnu::always_inline]] inline std::int32_t LightRig::diffuse(unsigned light, const Normal10& normal, bool flip,
+                                                             std::uint32_t length) const {
   const std::int16_t(&d)[3] = direction_[light];
   std::int32_t dot = d[0] * normal.x() + d[1] * normal.y() + d[2] * normal.z();  // Q23
   if (!flip) dot = -dot;
@@ -112,6 +115,18 @@ std::int32_t LightRig::diffuse(unsigned light, const Normal10& normal, bool flip
 
 Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, bool flip) const {
   if (material.shading == MaterialRecord::kUnlit) return material.color;
+  if (grey_) {  // the channels' sums are the same
+    std::uint32_t sum = ambient_[0];
+    const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
+    for (unsigned l = 0; l < count_; ++l) {
+      sum += (static_cast<std::uint32_t>(diffuse(l, normal, flip, length)) * intensity_[l][0] + (1u << 14)) >> 15;
+    }
+    const auto lit = [&](std::uint32_t channel) {
+      const std::uint32_t v = (channel * sum + 128) >> 8;
+      return static_cast<std::uint8_t>(v < 255 ? v : 255);
+    };
+    return {lit(material.color.r), lit(material.color.g), lit(material.color.b)};
+  }
   std::uint32_t sum[3] = {ambient_[0], ambient_[1], ambient_[2]};  // Q8.8
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {

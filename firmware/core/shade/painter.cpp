@@ -1,23 +1,25 @@
 #include "core/shade/painter.hpp"
 
+#include <cstddef>
+
+#include "core/shade/fill_words.hpp"
+
 namespace spanline {
 
 namespace {
 
-// The line is bytes to everybody else.
-using Half = std::uint16_t __attribute__((may_alias));
-using Word = std::uint32_t __attribute__((may_alias));
-
 void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint16_t pixel) {
   const std::uint32_t pair = std::uint32_t{pixel} << 16 | pixel;
-  auto* at = reinterpret_cast<Half*>(line) + left;
-  auto* const end = reinterpret_cast<Half*>(line) + right;
+  auto* at = reinterpret_cast<HalfPixels*>(line) + left;
+  auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
   if ((left & 1u) != 0) *at++ = pixel;
-  for (; end - at >= 16; at += 16) {
-    auto* const word = reinterpret_cast<Word*>(at);
-    word[0] = word[1] = word[2] = word[3] = word[4] = word[5] = word[6] = word[7] = pair;
+  if (end - at >= 16) {
+    auto* const words = reinterpret_cast<WordPixels*>(at);
+    const std::ptrdiff_t count = (end - at) / 2;
+    fill_words(words, words + count, pair);
+    at += 2 * count;
   }
-  for (; end - at >= 2; at += 2) *reinterpret_cast<Word*>(at) = pair;
+  for (; end - at >= 2; at += 2) *reinterpret_cast<WordPixels*>(at) = pair;
   if (at != end) *at = pixel;
 }
 
@@ -109,8 +111,8 @@ void Painter::gouraud(const VisibleSpan& span) {
 void Painter::gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]) {
   const std::int32_t width = width_of(*span.segment), skipped = span.left - first_column(*span.segment);
   Ramp r(from[0], to[0], width, skipped), g(from[1], to[1], width, skipped), b(from[2], to[2], width, skipped);
-  auto* at = reinterpret_cast<Half*>(out_) + span.left;
-  auto* const end = reinterpret_cast<Half*>(out_) + span.right;
+  auto* at = reinterpret_cast<HalfPixels*>(out_) + span.left;
+  auto* const end = reinterpret_cast<HalfPixels*>(out_) + span.right;
   while (at != end) {
     // rgb565_wire() of the integer parts, without taking them out first.
     const std::uint32_t first = ((r.value >> 16) & 0xf8u) | g.value >> 21;

@@ -22,6 +22,7 @@ class Painter {
   void span(const VisibleSpan& span);
   // A span of one colour, as flat_payload() gives it.
   void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
+  std::uint8_t* out() const { return out_; }                // the line
   std::uint16_t background() const { return background_; }  // of the line
 
  private:

@@ -9,6 +9,16 @@ void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
   alive_ = most_ = 0;
 }
 
+// Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
+void EdgeWalker::insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge) {
+  ActiveEdge* at = end;
+  do {
+    *at = at[-1];
+    --at;
+  } while (at != begin && at[-1].x > edge.x);
+  *at = edge;
+}
+
 // Files an edge among those that begin on the line; they come nearly in order.
 bool EdgeWalker::start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends) {
   if (alive_ + begun_ + 1 + kSentinels > edges_[0].capacity()) return false;
@@ -19,9 +29,12 @@ bool EdgeWalker::start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, Fa
   const ActiveEdge edge{run.x, run.dx, cover_of(begins) - cover_of(ends),
                         static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine + tall + ends};
   ActiveEdge* const first = &edges_[0][alive_ + 1];
-  ActiveEdge* at = first + begun_++;
-  for (; at != first && at[-1].x > edge.x; --at) *at = at[-1];
-  *at = edge;
+  ActiveEdge* const end = first + begun_++;
+  if (end != first && end[-1].x > edge.x) {
+    insert_back(first, end, edge);
+  } else {
+    *end = edge;
+  }
   return true;
 }
 

@@ -56,8 +56,14 @@ class EdgeWalker {
 
   bool start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends);
   bool run_again(ActiveEdge& edge, std::int32_t line);
+  // Where a walk has come to: the next edge of those alive, and of those that begin.
+  struct Sides {
+    const ActiveEdge *edge, *fresh;
+  };
+  static void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
   template <typename Sink, typename Plane>
-  void show(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, Sink& sink, const Plane& plane);
+  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key,
+                                    const Sides& at, Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
   VertexBuckets buckets_;
@@ -71,20 +77,23 @@ class EdgeWalker {
 template <typename Drawn>
 bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
   begun_ = 0;
+  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != 0; vertex = buckets_.next(vertex)) {
     cursor_.to_vertex(vertex - 1u);
     const MeshRecord& mesh = cursor_.mesh();
-    const std::uint32_t own = vertex - 1u - cursor_.first_vertex();
-    for (std::uint32_t i = mesh.fan_starts[own]; i < mesh.fan_starts[own + 1]; ++i) {
-      const FanEdge& edge = mesh.fans[i];
-      const ScreenXY bottom = points_[cursor_.first_vertex() + edge.to + 1];
-      if (first_centre(bottom.y) <= line) continue;
-      const auto id = [&](std::uint16_t face) {
-        const auto number = static_cast<FaceId>(cursor_.first_face() + face + 1);
-        return face != FanEdge::kNone && drawn(number) ? number : FaceId{0};
-      };
+    const ScreenXY* const points = &points_[cursor_.first_vertex() + 1];
+    const std::uint32_t first_id = cursor_.first_face() + 1;
+    const std::uint16_t* const start = mesh.fan_starts.data() + (vertex - 1u - cursor_.first_vertex());
+    const FanEdge* const end = mesh.fans.data() + start[1];
+    const auto id = [&](std::uint32_t face) {
+      const auto number = static_cast<FaceId>(first_id + face);
+      return face != FanEdge::kNone && drawn(number) ? number : FaceId{0};
+    };
+    for (const FanEdge* edge = mesh.fans.data() + start[0]; edge != end; ++edge) {
+      const ScreenXY bottom = points[edge->to];
+      if (bottom.y <= lowest) continue;
       // Of an edge that runs down, the counter-clockwise face lies on the right.
-      const FaceId begins = id(edge.face), ends = id(edge.twin);
+      const FaceId begins = id(edge->face), ends = id(edge->twin);
       if (begins == ends) continue;  // neither is drawn
       if (!start_edge(points_[vertex], bottom, line, begins, ends)) return false;
     }
@@ -95,62 +104,79 @@ bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
 }
 
 template <typename Sink, typename Plane>
-void EdgeWalker::show(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, Sink& sink,
-                      const Plane& plane) {
-  if (key < kTwoFaces) return sink.one(left, right, only_face(key));
+void EdgeWalker::show_front(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, const Sides& at,
+                            Sink& sink, const Plane& plane) {
+  // The order of edges in one column is not that of their faces: only between columns is the key what it says. The
+  // set is brought up to date by the edges at `left`.
+  Sides from = at;
+  const auto at_left = [&](const ActiveEdge& edge) { return left == 0 || edge.column() >= left; };
+  while (from.edge != &edges_[0][0] && at_left(from.edge[-1])) key -= (--from.edge)->toggle;
+  while (from.fresh != &edges_[0][alive_ + 1] && at_left(from.fresh[-1])) key -= (--from.fresh)->toggle;
+  if (key < kTwoFaces) overlap_.set(only_face(key));
+  for (; from.edge != at.edge; ++from.edge) overlap_.toggle(*from.edge);
+  for (; from.fresh != at.fresh; ++from.fresh) overlap_.toggle(*from.fresh);
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
   };
   resolve_overlap(overlap_, left, right, ramp_of,
-                  [&](std::int32_t from, std::int32_t to, FaceId face, const DepthRamp& ramp) {
-                    sink.front(from, to, face, ramp);
+                  [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
+                    sink.front(begin, end, face, ramp);
                   });
 }
 
 template <typename Sink, typename Plane>
 bool EdgeWalker::walk(std::int32_t line, Sink& sink, const Plane& plane) {
+  const std::int32_t width = screen_.width;
   const ActiveEdge* edge = &edges_[0][0];
   const ActiveEdge* fresh = edge + alive_ + 1;
-  const ActiveEdge *edge_shown = edge, *fresh_shown = fresh;  // the first that have come since
+  std::int32_t fresh_x = fresh->x;
   ActiveEdge* const begin = &edges_[1][0];
   ActiveEdge* out = begin;
-  CoverKey key = 0, key_shown = 0;
+  std::int32_t furthest = INT32_MIN;  // x of the last edge put out
+  CoverKey key = 0;
   std::int32_t left = 0;
-  bool whole = true;
-  const auto show_to = [&](std::int32_t right) {
-    // The order of edges in one column is not that of their faces: only between columns is the key what it says, and
-    // the set is brought up to date there.
-    if (key >= kTwoFaces) {
-      if (key_shown < kTwoFaces) overlap_.set(only_face(key_shown));
-      for (const ActiveEdge* e = edge_shown; e != edge; ++e) overlap_.toggle(*e);
-      for (const ActiveEdge* e = fresh_shown; e != fresh; ++e) overlap_.toggle(*e);
-      whole = whole && !overlap_.overflow();
-    }
-    edge_shown = edge;
-    fresh_shown = fresh;
-    key_shown = key;
-    show(line, left, right, key, sink, plane);
-    left = right;
-  };
+  overlap_.clear_overflow();
   for (;;) {
-    const bool begins = fresh->x < edge->x;
-    const ActiveEdge& next = begins ? *fresh : *edge;
-    if (next.x == ActiveEdge::kNever) break;
-    const std::int32_t column = next.column() < screen_.width ? next.column() : screen_.width;
-    if (column > left) show_to(column);
-    ++(begins ? fresh : edge);
-    key += next.toggle;
-    ActiveEdge stepped{next.x + next.dx, next.dx, next.toggle, next.rest - ActiveEdge::kOneLine};
+    const ActiveEdge* next = edge;
+    std::int32_t x = next->x;
+    const bool begins = fresh_x < x;
+    if (begins) [[unlikely]] {
+      next = fresh;
+      x = fresh_x;
+    }
+    std::int32_t column = x >> ActiveEdge::kFraction;
+    if (column > left) {
+      static_assert(ActiveEdge::kNever >> ActiveEdge::kFraction > kMaxExtent, "the sentinel comes to this point");
+      if (column > width) column = width;
+      if (column > left) {
+        if (key < kTwoFaces) [[likely]] {
+          sink.one(left, column, only_face(key));
+        } else {
+          show_front(line, left, column, key, {edge, fresh}, sink, plane);
+        }
+        left = column;
+      }
+      if (x == ActiveEdge::kNever) break;
+    }
+    if (begins) [[unlikely]] {
+      fresh_x = (++fresh)->x;
+    } else {
+      ++edge;
+    }
+    key += next->toggle;
+    ActiveEdge stepped{x + next->dx, next->dx, next->toggle, next->rest - ActiveEdge::kOneLine};
     if (stepped.rest < ActiveEdge::kOneLine && !run_again(stepped, line + 1)) continue;
-    ActiveEdge* at = out++;
-    for (; at != begin && at[-1].x > stepped.x; --at) *at = at[-1];
-    *at = stepped;
+    if (stepped.x >= furthest) [[likely]] {
+      furthest = stepped.x;
+      *out++ = stepped;
+    } else {
+      insert_back(begin, out++, stepped);
+    }
   }
-  if (left < screen_.width) show_to(screen_.width);
   alive_ = static_cast<std::uint32_t>(out - begin);
   std::swap(edges_[0], edges_[1]);
-  return whole;
+  return !overlap_.overflow();
 }
 
 }  // namespace spanline

@@ -14,7 +14,6 @@ class OverlapSet {
   void set(FaceId only) {
     faces_[0] = only;
     count_ = only != 0;
-    overflow_ = false;
   }
   void toggle(FaceId face) {
     if (face == 0) return;
@@ -36,6 +35,7 @@ class OverlapSet {
 
   unsigned count() const { return count_; }
   FaceId operator[](unsigned i) const { return faces_[i]; }
+  void clear_overflow() { overflow_ = false; }
   bool overflow() const { return overflow_; }  // more faces than the set holds
 
  private:
@@ -49,10 +49,16 @@ class OverlapSet {
 template <typename RampOf, typename Show>
 void resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t right, const RampOf& ramp_of,
                      const Show& show) {
-  DepthRamp ramps[OverlapSet::kMost];
-  for (unsigned i = 0; i < set.count(); ++i) ramps[i] = ramp_of(set[i]);
+  struct Ramp {  // as DepthRamp, but not cleared first
+    std::uint32_t at_zero, slope;
+  } ramps[OverlapSet::kMost];
+  for (unsigned i = 0; i < set.count(); ++i) {
+    const DepthRamp ramp = ramp_of(set[i]);
+    ramps[i] = {ramp.at_zero, ramp.slope};
+  }
+  const auto ramp = [&](unsigned i) { return DepthRamp{ramps[i].at_zero, ramps[i].slope}; };
   const auto contest = [&](unsigned a, unsigned b, std::int32_t from, std::int32_t to) {
-    return Contest{ramps[a], ramps[b], from, to, set[a] < set[b]};
+    return Contest{ramp(a), ramp(b), from, to, set[a] < set[b]};
   };
   while (left < right) {
     unsigned front = 0;
@@ -68,7 +74,7 @@ void resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t righ
       std::uint32_t cycles = 0;
       if (!c.first_ahead(c.lead(end - 1))) end = DepthComparator<Comparator::plane>::crossing(c, cycles);
     }
-    show(left, end, set[front], ramps[front]);
+    show(left, end, set[front], ramp(front));
     left = end;
   }
 }

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/geom/projection.hpp"
+#include "core/scene/instance_cursor.hpp"
+#include "core/vsg/depth.hpp"
+
+namespace spanline {
+
+// Depth planes of a scene's faces without a vertex cache: of the matrices only the row that leads to w is needed, and
+// the last instance's is kept.
+class DepthRows {
+ public:
+  DepthRows() = default;
+  DepthRows(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen)
+      : cursor_(scene), camera_(&camera), screen_(screen), projection_(camera, screen) {}
+
+  // The plane of a triangle inside the view; what face_plane() gives. points[1 + vertex]: the scene's on the screen.
+  DepthPlane plane(std::uint32_t face, const PoolRef<ScreenXY>& points);
+
+ private:
+  InstanceCursor cursor_;
+  const CameraRecord* camera_ = nullptr;
+  Screen screen_;
+  Projection projection_{CameraRecord{}, Screen{}};
+  ClipMatrix matrix_;
+  std::uint32_t instance_ = UINT32_MAX;  // of the matrix
+};
+
+inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
+  cursor_.to_face(face);
+  const MeshRecord& mesh = cursor_.mesh();
+  if (instance_ != cursor_.index()) {
+    instance_ = cursor_.index();
+    matrix_ = compose(*camera_, cursor_.instance().transform, mesh);
+  }
+  const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - cursor_.first_face());
+  FacetVertex vertex[3];
+  for (int i = 0; i < 3; ++i) {
+    vertex[i].at = points[cursor_.first_vertex() + corner[i] + 1];
+    vertex[i].depth = projection_.depth(matrix_.row(2, mesh.positions[corner[i]]));
+  }
+  return depth_plane(vertex, screen_);
+}
+
+}  // namespace spanline

@@ -1,0 +1,58 @@
+// Runs of equal words: what a line is mostly made of.
+#pragma once
+
+#include <cstdint>
+
+namespace spanline {
+
+// The line is bytes to everybody else.
+using HalfPixels = std::uint16_t __attribute__((may_alias));
+using WordPixels = std::uint32_t __attribute__((may_alias));
+
+// Words in [at, end), at least 8 of them.
+inline void fill_words_plain(WordPixels* at, WordPixels* end, std::uint32_t word) {
+  for (; end - at >= 8; at += 8) at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = word;
+  while (at != end) *at++ = word;
+}
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+// Eight words an instruction.
+[[gnu::noinline]] inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) {
+  register std::uint32_t r3 asm("r3") = word;
+  register std::uint32_t r4 asm("r4") = word;
+  register std::uint32_t r5 asm("r5") = word;
+  register std::uint32_t r6 asm("r6") = word;
+  register std::uint32_t r8 asm("r8") = word;
+  register std::uint32_t r9 asm("r9") = word;
+  register std::uint32_t r10 asm("r10") = word;
+  register std::uint32_t r12 asm("r12") = word;
+  WordPixels* const last = end - 8;
+  asm volatile(
+      "1: stmia %0!, {r3, r4, r5, r6, r8, r9, r10, r12}\n"
+      "cmp %0, %1\n"
+      "bls 1b"
+      : "+r"(at)
+      : "r"(last), "r"(r3), "r"(r4), "r"(r5), "r"(r6), "r"(r8), "r"(r9), "r"(r10), "r"(r12)
+      : "cc", "memory");
+  while (at != end) *at++ = word;
+}
+#else
+inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) { fill_words_plain(at, end, word); }
+#endif
+
+// Fills the RGB565 pixels [left, right) of a line that begins on a word and has an even number of them. May write one
+// pixel past `right`: spans come from left to right, so the next one covers it.
+inline void fill_span(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint32_t color) {
+  auto* at = reinterpret_cast<HalfPixels*>(line) + left;
+  if ((left & 1u) != 0) {
+    *at++ = static_cast<std::uint16_t>(color);
+    ++left;
+  }
+  const std::uint32_t pair = color << 16 | color;
+  auto* word = reinterpret_cast<WordPixels*>(at);
+  auto* const end = reinterpret_cast<WordPixels*>(line) + (right + 1) / 2;
+  if (right >= left + 16) return fill_words(word, end, pair);
+  for (; word < end; ++word) *word = pair;
+}
+
+}  // namespace spanline
