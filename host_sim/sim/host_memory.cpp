@@ -36,7 +36,10 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       vertex_buckets_(screen.height),
       faces_(sizes.facets),
       active_edges_{Blocks<ActiveEdge>(sizes.edges), Blocks<ActiveEdge>(sizes.edges)},
-      planes_(255) {}
+      planes_(255),
+      levels_(sizes.vertices),
+      looks_(1023),
+      tables_(15) {}
 
 FrameStorage HostMemory::storage() {
   return {screen_,
@@ -58,7 +61,8 @@ FrameStorage HostMemory::storage() {
             {active_edges_[0].ref(), active_edges_[1].ref()},
             planes_.ref()},
            faces_.ref(),
-           true}};
+           levels_.ref()},
+          {looks_.ref(), tables_.ref()}};
 }
 
 }  // namespace spanline::host

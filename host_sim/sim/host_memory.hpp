@@ -60,6 +60,9 @@ class HostMemory {
   Blocks<std::uint16_t> faces_;
   Blocks<ActiveEdge> active_edges_[2];
   Blocks<CachedPlane> planes_;
+  Blocks<Brightness> levels_;
+  Blocks<FaceLook> looks_;
+  Blocks<ColorTable> tables_;
 };
 
 }  // namespace spanline::host

@@ -21,8 +21,8 @@ inline constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, Pi
 
 inline constexpr Picture kPictures[] = {
     {"teapot-wide-0", &demos::teapot, 0, kWide, 0xde26199c},
-    {"teapot-oled-100", &demos::teapot, 100, kOled, 0x5b038b09},
-    {"teapot-mono-20", &demos::teapot, 20, kMono, 0x21281d82},
+    {"teapot-oled-100", &demos::teapot, 100, kOled, 0xff60ae3a},
+    {"teapot-mono-20", &demos::teapot, 20, kMono, 0x84723bc3},
     {"cubes-square-90", &demos::cubes, 90, kSquare, 0x7f1227a8},
     {"cubes-grey-250", &demos::cubes, 250, kGrey, 0xeb6608be},
     {"cubes-oled-200", &demos::cubes, 200, kOled, 0x342ee53b},

@@ -189,8 +189,10 @@ MeshScene random_mesh_scene(std::uint64_t seed) {
   const int materials = random.between(1, 3);
   for (int i = 0; i < materials; ++i) {
     const auto channel = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    scene.materials.push_back(
-        {{channel(), channel(), channel()}, random.percent(20) ? MaterialRecord::kUnlit : MaterialRecord::kFlat});
+    scene.materials.push_back({{channel(), channel(), channel()},
+                               random.percent(20)   ? MaterialRecord::kUnlit
+                               : random.percent(50) ? MaterialRecord::kGouraud
+                                                    : MaterialRecord::kFlat});
   }
   LightRecord light{};
   light.direction[2].raw = -Fx30::kOne;

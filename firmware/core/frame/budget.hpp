@@ -30,6 +30,9 @@ struct Budget {
   // the place of every vertex (6 bytes each, `vertices`), the edges of one line, which may be shared by two faces (32
   // bytes each, `edges`), and some depth planes. For the other pools see above.
   Walker walker = Walker::segments;
+  // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes each.
+  // Powers of two less one, since one more of each is there. looks 0: 15 for the segment walker, 127 for the others.
+  std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
 };
 

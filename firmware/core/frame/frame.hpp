@@ -56,6 +56,7 @@ class Frame {
     return false;
   }
   void read_vertices();
+  FaceLook look_of(std::uint16_t face);
   bool mesh_line(std::uint16_t line);
   bool same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const;
   std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
@@ -90,6 +91,7 @@ class Frame {
   PoolRef<ScreenPoint> cache_;
   [[no_unique_address]] std::conditional_t<kOptions.walker == Walker::both, MeshLines<kOptions.taps>, NoMeshLines>
       mesh_;
+  SmoothCache smooth_;
   SceneView scene_;
   CameraRecord camera_{};
   FacetReader reader_;

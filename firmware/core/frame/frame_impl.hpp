@@ -10,9 +10,17 @@ template <FrameOptions kOptions>
 struct Frame<kOptions>::Sink {
   Painter& painter;
   const SpanTap& tap;
+  Frame& frame;
   void span(const VisibleSpan& s) {
     if constexpr (kOptions.taps) {
       if (tap.span != nullptr) tap.span(tap.context, s);
+    }
+    if (s.smooth) {
+      const FaceLook& look = frame.smooth_.look(static_cast<FaceId>(s.face + 1), [this](FaceId face) {
+        return frame.look_of(static_cast<std::uint16_t>(face - 1));
+      });
+      return painter.smooth(s.left, s.right, look.plane,
+                            frame.smooth_.colors(look.look, frame.scene_.scene().materials));
     }
     painter.span(s);
   }
@@ -24,7 +32,8 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       facets_(storage.facets),
       buckets_(storage.buckets),
       cache_(storage.vertices),
-      mesh_(storage.mesh, storage.screen),
+      mesh_(storage),
+      smooth_(storage.smooth, storage.screen.format),
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
       height_(storage.screen.height) {
@@ -70,6 +79,7 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
 template <FrameOptions kOptions>
 void Frame<kOptions>::read_vertices() {
   lit_instance_ = UINT32_MAX;
+  smooth_.clear();
   reader_ = FacetReader(scene_, camera_, screen_, cache_);
   vertices_ = reader_.fill_cache();
 }
@@ -197,7 +207,7 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
     height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
     plan(line, static_cast<std::uint16_t>(line + (planned_ - line) / 2));
   }
-  Sink sink{painter_, tap_};
+  Sink sink{painter_, tap_, *this};
   vsg_.run(line, sink);
   note(vsg_.status());
   ++band_.top;
@@ -248,6 +258,10 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const bool flip = two_sided && !reader_.extent().front();
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours()) {
     const LightRig& rig = lights();
+    if (smooth_.on() && rig.grey() && reader_.face().corners.size() == 3 && !reader_.clipped()) {
+      const FacetLook look{.smooth = true};
+      return vsg_.add(face, line, look, [](std::uint16_t) { return Rgb8{}; });
+    }
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };
     return vsg_.add(face, line, {0, true}, colour);
   }
@@ -260,6 +274,28 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
     color = lights().shade(normal, material, flip);
   }
   return vsg_.add(face, line, {flat_payload(screen_.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
+}
+
+// The look of a smooth triangle.
+template <FrameOptions kOptions>
+FaceLook Frame<kOptions>::look_of(std::uint16_t face) {
+  struct Corners {
+    ScreenXY at[3];
+    unsigned count = 0;
+    void begin_contour() {}
+    void vertex(const FacetVertex& v) { at[count++] = v.at; }
+    void end_contour() {}
+  } corners;
+  reader_.select(face);
+  reader_.read([](std::uint16_t) { return Rgb8{}; }, corners);
+  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+  const bool flip = two_sided && !reader_.extent().front();
+  const LightRig& rig = lights();
+  Brightness level[3];
+  for (unsigned i = 0; i < 3; ++i) {
+    level[i] = rig.brightness(reader_.mesh().vertex_normals[reader_.face().corners[i]], flip);
+  }
+  return {brightness_plane(corners.at, level), 0, reader_.face().material};
 }
 
 template <FrameOptions kOptions>

@@ -14,8 +14,7 @@ Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t li
 template <bool kTaps, bool kStatistics>
 class MeshFrame {
  public:
-  explicit MeshFrame(const FrameStorage& storage)
-      : screen_(storage.screen), mesh_(storage.mesh, storage.screen), painter_(storage.screen) {}
+  explicit MeshFrame(const FrameStorage& storage) : screen_(storage.screen), mesh_(storage), painter_(storage.screen) {}
   MeshFrame(const MeshFrame&) = delete;
   MeshFrame& operator=(const MeshFrame&) = delete;
 

@@ -55,7 +55,7 @@ template <bool kTaps>
 class MeshLines {
  public:
   MeshLines() = default;
-  MeshLines(const MeshStorage& storage, const Screen& screen);
+  MeshLines(const FrameStorage& storage);
 
   // Makes ready the lines from `top` on; costs nothing where they follow the line made last. Fails where the edge
   // walker cannot draw the scene: the status says which record, or which pool is too small.
@@ -68,21 +68,24 @@ class MeshLines {
   Status next(std::uint16_t line, Painter& painter, const SpanTap& tap);
 
  private:
-  template <bool kWide>
+  template <bool kWide, bool kSmooth>
   struct Sink;
 
   Status check(const SceneView& scene) const;
-  bool is_gouraud(const InstanceCursor& at) const;
+  bool has_hue(const SceneRecord& scene) const;
+  FaceLook look_of(FaceId face);
   bool project(const InstanceCursor& at);
   void light(const InstanceCursor& at);
 
   SceneView scene_;
   CameraRecord camera_{};
   Screen screen_;
-  bool gouraud_ = false;
   PoolRef<ScreenXY> points_;
+  PoolRef<Brightness> levels_;
+  SmoothCache smooth_;
   FaceWords words_;
   DepthRows rows_;
+  InstanceCursor cursor_;
   EdgeWalker walker_;
   std::uint16_t line_ = 0;  // to be made next
   bool ready_ = false;
@@ -90,7 +93,7 @@ class MeshLines {
 
 // Where there is no edge walker.
 struct NoMeshLines {
-  NoMeshLines(const MeshStorage&, const Screen&) {}
+  explicit NoMeshLines(const FrameStorage&) {}
 };
 
 }  // namespace spanline

@@ -7,14 +7,19 @@
 
 namespace spanline {
 
+inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup& group) {
+  return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
+}
+
+// kWide: lines of RGB565 that fill_span() can fill; kSmooth: faces may be smooth.
 template <bool kTaps>
-template <bool kWide>
+template <bool kWide, bool kSmooth>
 struct MeshLines<kTaps>::Sink {
+  MeshLines& mesh;
   Painter& painter;
   std::uint8_t* out;
-  FaceWords& words;
+  FaceWords words;
   const SpanTap& tap;
-  MeshLines& mesh;
   std::uint16_t line;
 
   void one(std::int32_t left, std::int32_t right, FaceId face) {
@@ -26,18 +31,25 @@ struct MeshLines<kTaps>::Sink {
       }
       report(left, right, face, ramp);
     }
-    fill(left, right, face);
+    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
     if constexpr (kTaps) report(left, right, face, ramp);
-    fill(left, right, face);
+    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
-  void fill(std::int32_t left, std::int32_t right, FaceId face) {
-    const auto from = static_cast<std::uint32_t>(left), to = static_cast<std::uint32_t>(right);
+  void paint(std::uint32_t left, std::uint32_t right, FaceId face) {
+    if constexpr (kSmooth) {
+      if (face != 0) {
+        const FaceLook& look = mesh.smooth_.look(face, [this](FaceId f) { return mesh.look_of(f); });
+        if (look.smooth()) {
+          return painter.smooth(left, right, look.plane, mesh.smooth_.colors(look.look, mesh.scene_.scene().materials));
+        }
+      }
+    }
     if constexpr (kWide) {
-      fill_span(out, from, to, words[face]);
+      fill_span(out, left, right, words[face]);
     } else {
-      painter.fill(from, to, words[face]);
+      painter.fill(left, right, words[face]);
     }
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
@@ -54,12 +66,13 @@ struct MeshLines<kTaps>::Sink {
 };
 
 template <bool kTaps>
-MeshLines<kTaps>::MeshLines(const MeshStorage& storage, const Screen& screen)
-    : screen_(screen),
-      gouraud_(storage.gouraud),
-      points_(storage.walker.points),
-      words_(storage.faces),
-      walker_(storage.walker, screen) {}
+MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
+    : screen_(storage.screen),
+      points_(storage.mesh.walker.points),
+      levels_(storage.mesh.levels),
+      smooth_(storage.smooth, storage.screen.format),
+      words_(storage.mesh.faces),
+      walker_(storage.mesh.walker, storage.screen) {}
 
 template <bool kTaps>
 Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
@@ -68,6 +81,8 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(scene); !status.ok()) return status;
+  cursor_ = InstanceCursor(scene_.scene());
+  smooth_.clear();
   rows_ = DepthRows(scene_.scene(), camera_, screen_);
   walker_.begin(scene_.scene(), top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
@@ -88,6 +103,12 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
   };
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
   if (scene.face_count() > words_.capacity()) return short_of("facets", scene.face_count(), words_.capacity());
+  if (smooth_.on()) {
+    if (scene.vertex_count() > levels_.capacity()) {
+      return short_of("levels", scene.vertex_count(), levels_.capacity());
+    }
+    if (has_hue(scene.scene())) return {Code::bad_record, "LightRecord", "intensity (hue)"};
+  }
   for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
     const std::uint16_t flags = at.instance().flags;
     if ((flags & InstanceRecord::kHidden) != 0) continue;
@@ -95,19 +116,42 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
       return {Code::bad_record, "InstanceRecord", "flags", at.index(), 0, flags};
     }
     if (at.mesh().fans.empty()) return {Code::bad_record, "MeshRecord", "fans", at.instance().mesh};
-    if (gouraud_ && is_gouraud(at)) return {Code::bad_record, "MaterialRecord", "shading", at.index()};
   }
   return {};
 }
 
+// Whether a smooth triangle would need more than its brightness.
 template <bool kTaps>
-bool MeshLines<kTaps>::is_gouraud(const InstanceCursor& at) const {
-  const Slice<const MaterialRecord>& materials = scene_.scene().materials;
-  for (const FaceGroup& group : at.mesh().groups) {
-    const bool own = at.instance().material == InstanceRecord::kOwnMaterials;
-    if (materials[own ? group.material : at.instance().material].shading == MaterialRecord::kGouraud) return true;
+bool MeshLines<kTaps>::has_hue(const SceneRecord& scene) const {
+  bool gouraud = false;
+  for (const MaterialRecord& material : scene.materials) {
+    gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
   }
-  return false;
+  return gouraud && !LightRig(scene, Transform::identity()).grey();
+}
+
+// How a face looks: the colour that its word holds, or its brightness.
+template <bool kTaps>
+FaceLook MeshLines<kTaps>::look_of(FaceId face) {
+  const FaceLook flat{{FaceLook::kFlat, 0, 0}, 0, words_[face]};
+  if (face == 0) return flat;
+  InstanceCursor& at = cursor_;
+  at.to_face(face - 1u);
+  const MeshRecord& mesh = at.mesh();
+  const std::uint32_t mesh_face = face - 1u - at.first_face();
+  const FaceGroup* group = mesh.groups.data();
+  while (mesh_face - group->first_face >= group->face_count) ++group;
+  const std::uint16_t material = material_of(at.instance(), *group);
+  if (scene_.scene().materials[material].shading != MaterialRecord::kGouraud) return flat;
+  const std::uint16_t* const corner = mesh.corners.data() + 3 * mesh_face;
+  ScreenXY point[3];
+  Brightness level[3];
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = at.first_vertex() + corner[i] + 1;
+    point[i] = points_[vertex];
+    level[i] = levels_[vertex];
+  }
+  return {brightness_plane(point, level), 0, material};
 }
 
 // Puts the instance's vertices on the screen. False where one lies out of the view, or fronts have become backs.
@@ -134,8 +178,8 @@ void MeshLines<kTaps>::light(const InstanceCursor& at) {
   auto id = static_cast<FaceId>(at.first_face());
   const std::uint16_t* corner = mesh.corners.data();
   for (const FaceGroup& group : mesh.groups) {
-    const bool own = at.instance().material == InstanceRecord::kOwnMaterials;
-    const MaterialRecord& material = scene_.scene().materials[own ? group.material : at.instance().material];
+    const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
+    const bool smooth = smooth_.on() && material.shading == MaterialRecord::kGouraud;
     for (std::uint32_t i = 0; i < group.face_count; ++i, corner += 3) {
       const std::uint32_t vertex[3] = {at.first_vertex() + corner[0], at.first_vertex() + corner[1],
                                        at.first_vertex() + corner[2]};
@@ -144,11 +188,21 @@ void MeshLines<kTaps>::light(const InstanceCursor& at) {
         words_.hide(id);
         continue;
       }
+      if (smooth) {
+        words_.set(id, 0);
+        for (int k = 0; k < 3; ++k) {
+          if (walker_.file(vertex[k])) levels_[vertex[k] + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
+        }
+        continue;
+      }
       const Rgb8 color = material.shading == MaterialRecord::kUnlit
                              ? material.color
                              : facet_color(mesh, group.first_face + i, corner[0], material, rig, false);
       words_.set(id, flat_payload(screen_.format, color));
-      for (const std::uint32_t v : vertex) walker_.file(v);
+      for (int k = 0; k < 3; ++k) {
+        if (walker_.file(vertex[k]) && smooth_.on() && !mesh.vertex_normals.empty())
+          levels_[vertex[k] + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
+      }
     }
   }
 }
@@ -163,10 +217,19 @@ Status MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTa
   }
   words_[0] = painter.background();
   const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
-  const auto walk = [&]<bool kWide>(Sink<kWide> sink) { return walker_.walk(line, sink, plane); };
+  const auto walk = [&]<bool kWide, bool kSmooth>(Sink<kWide, kSmooth>* none) {
+    Sink<kWide, kSmooth> sink{*this, painter, painter.out(), words_, tap, line};
+    static_cast<void>(none);
+    return walker_.walk(line, sink, plane);
+  };
   const bool wide = screen_.format == PixelFormat::rgb565 && screen_.width % 2 == 0;
-  if (!(wide ? walk(Sink<true>{painter, painter.out(), words_, tap, *this, line})
-             : walk(Sink<false>{painter, painter.out(), words_, tap, *this, line}))) {
+  bool whole = false;
+  if (smooth_.on()) {
+    whole = wide ? walk(static_cast<Sink<true, true>*>(nullptr)) : walk(static_cast<Sink<false, true>*>(nullptr));
+  } else {
+    whole = wide ? walk(static_cast<Sink<true, false>*>(nullptr)) : walk(static_cast<Sink<false, false>*>(nullptr));
+  }
+  if (!whole) {
     return {Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost};
   }
   ready_ = true;

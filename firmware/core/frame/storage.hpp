@@ -5,6 +5,7 @@
 
 #include "core/frame/budget.hpp"
 #include "core/frame/patch_source.hpp"
+#include "core/shade/brightness.hpp"
 #include "core/vsg/edge_walker.hpp"
 #include "core/vsg/visible_segments.hpp"
 
@@ -20,7 +21,7 @@ struct WaitingFacet {
 struct MeshStorage {
   EdgeStorage walker;
   PoolRef<std::uint16_t> faces;  // of the scene: what each of them looks like
-  bool gouraud = false;          // whether Gouraud's materials are drawn as such; otherwise flat
+  PoolRef<Brightness> levels;    // of vertices, where Gouraud's materials are drawn as such
 };
 
 // A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
@@ -33,6 +34,23 @@ struct FrameStorage {
   VsgStorage vsg;
   PatchStorage patches;
   MeshStorage mesh;
+  SmoothStorage smooth;
+};
+
+// The pools of smooth triangles, where there are any.
+template <std::uint16_t kLooks, std::uint16_t kTables, bool kSmooth>
+class SmoothPools {
+ public:
+  SmoothStorage storage() { return {looks_.ref(), tables_.ref()}; }
+
+ private:
+  Pool<FaceLook, kLooks> looks_;
+  Pool<ColorTable, kTables> tables_;
+};
+template <std::uint16_t kLooks, std::uint16_t kTables>
+class SmoothPools<kLooks, kTables, false> {
+ public:
+  SmoothStorage storage() { return {}; }
 };
 
 // The pools of patches, where there are any.
@@ -91,7 +109,7 @@ class MeshPools {
   void add_to(FrameStorage& storage) {
     storage.mesh = {{points_.ref(), links_.ref(), buckets_.ref(), {edges_[0].ref(), edges_[1].ref()}, planes_.ref()},
                     faces_.ref(),
-                    kBudget.gouraud};
+                    levels_.ref()};
   }
 
  private:
@@ -101,6 +119,7 @@ class MeshPools {
   Pool<std::uint16_t, kBudget.facets> faces_;
   Pool<ActiveEdge, kBudget.edges> edges_[2];
   Pool<CachedPlane, kBudget.planes> planes_;
+  Pool<Brightness, kBudget.gouraud ? kBudget.vertices : 0> levels_;
 };
 
 struct NoPools {
@@ -114,7 +133,7 @@ class FrameMemory {
 
  public:
   FrameStorage storage() {
-    FrameStorage storage{{kBudget.width, kBudget.height, kBudget.format}, {}, {}, {}, {}, {}, {}};
+    FrameStorage storage{{kBudget.width, kBudget.height, kBudget.format}, {}, {}, {}, {}, {}, {}, smooth_.storage()};
     segments_.add_to(storage);
     mesh_.add_to(storage);
     return storage;
@@ -123,6 +142,10 @@ class FrameMemory {
  private:
   [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::edges, NoPools, SegmentPools<kBudget>> segments_;
   [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::segments, NoPools, MeshPools<kBudget>> mesh_;
+  static constexpr std::uint16_t kLooks = kBudget.looks != 0                   ? kBudget.looks
+                                          : kBudget.walker == Walker::segments ? 15
+                                                                               : 127;
+  [[no_unique_address]] SmoothPools<kLooks, kBudget.tables, kBudget.gouraud> smooth_;
 };
 
 }  // namespace spanline

@@ -113,14 +113,20 @@ std::uint32_t LightRig::turned_length(const Normal10& normal) const {
   return dot < 32768 ? dot : 32768;
 }
 
+// Q8.8, of any channel.
+std::uint32_t LightRig::grey_sum(const Normal10& normal, bool flip) const {
+  std::uint32_t sum = ambient_[0];
+  const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
+  for (unsigned l = 0; l < count_; ++l) {
+    sum += (static_cast<std::uint32_t>(diffuse(l, normal, flip, length)) * intensity_[l][0] + (1u << 14)) >> 15;
+  }
+  return sum;
+}
+
 Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, bool flip) const {
   if (material.shading == MaterialRecord::kUnlit) return material.color;
   if (grey_) {  // the channels' sums are the same
-    std::uint32_t sum = ambient_[0];
-    const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
-    for (unsigned l = 0; l < count_; ++l) {
-      sum += (static_cast<std::uint32_t>(diffuse(l, normal, flip, length)) * intensity_[l][0] + (1u << 14)) >> 15;
-    }
+    const std::uint32_t sum = grey_sum(normal, flip);
     const auto lit = [&](std::uint32_t channel) {
       const std::uint32_t v = (channel * sum + 128) >> 8;
       return static_cast<std::uint8_t>(v < 255 ? v : 255);

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/scene/format.hpp"
+#include "core/shade/brightness.hpp"
 
 namespace spanline {
 
@@ -16,7 +17,16 @@ class LightRig {
   // The colour of a surface with this normal and material; `flip` turns the normal round (a back seen from behind).
   Rgb8 shade(const Normal10& normal, const MaterialRecord& material, bool flip) const;
 
+  // Whether ambient and lights have no hue, so that brightness is one number.
+  bool grey() const { return grey_; }
+  // How bright a surface with this normal is then.
+  Brightness brightness(const Normal10& normal, bool flip) const {
+    const std::uint32_t sum = grey_sum(normal, flip);
+    return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
+  }
+
  private:
+  std::uint32_t grey_sum(const Normal10& normal, bool flip) const;
   std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
   std::uint32_t turned_length(const Normal10& normal) const;
 

@@ -2,6 +2,7 @@
 
 #include "core/base/slice.hpp"
 #include "core/geom/screen.hpp"
+#include "core/shade/brightness.hpp"
 #include "core/shade/pixel.hpp"
 #include "core/vsg/visible_span.hpp"
 
@@ -22,6 +23,8 @@ class Painter {
   void span(const VisibleSpan& span);
   // A span of one colour, as flat_payload() gives it.
   void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
+  // A span of a triangle's brightness in a material's colours (SmoothCache::colors).
+  void smooth(std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane, const std::uint16_t* colors);
   std::uint8_t* out() const { return out_; }                // the line
   std::uint16_t background() const { return background_; }  // of the line
 

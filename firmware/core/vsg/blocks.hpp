@@ -56,6 +56,7 @@ struct PolygonBlock {
     kSettled = 16,   // changing, but its segment list is in order already
     kFinished = 32,  // both edges of its only segment ended on the line that was made last, and none is to come
     kGouraud = 8,
+    kSmooth = 64,
   };
   std::uint16_t face;           // kNoFace: block not in use
   std::uint16_t first_segment;  // polygon segment list; also free storage

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/fx/bits.hpp"
+#include "core/geom/gradient.hpp"
 
 namespace spanline {
 
@@ -15,46 +16,19 @@ std::int32_t pixel_on_screen(std::int32_t v, std::int32_t pixels) {
 
 constexpr std::int32_t centre(std::int32_t pixel) { return pixel * kSubpixels + kSubpixels / 2; }
 
-// A gradient along / area * 2^9, Q16.13, with 1 / area = inverse * 2^up / 2^61.
-std::int64_t gradient(std::int32_t along, std::uint32_t inverse, int up) {
-  return shift_round(std::int64_t{along} * static_cast<std::int32_t>(inverse), 52 - up);
-}
-
-constexpr std::int32_t kSteepest = 1 << 29;
-
-bool is_small(std::int32_t d) { return static_cast<std::uint32_t>(d + 4095) < 8191u; }
-bool fits(std::int64_t v, std::int32_t limit) { return v > -limit && v < limit; }
-
-// The plane of a triangle of less than 256 pixels each way that is not too steep, by a reciprocal: relative to the
-// exact gradients these are off by less than 2^-27, which over 256 pixels is less than an eighth of a unit of depth.
-// False where it is no such triangle.
+// The plane of a triangle of less than 256 pixels each way that is not too steep: relative to the exact gradients these
+// are off by less than 2^-27, which over 256 pixels is less than an eighth of a unit of depth. False where it is no
+// such triangle.
 bool small_plane(const FacetVertex (&corner)[3], DepthPlane& plane) {
-  const ScreenXY origin = corner[0].at;
-  std::int32_t dx1 = corner[1].at.x - origin.x, dx2 = corner[2].at.x - origin.x;
-  const std::int32_t dy1 = corner[1].at.y - origin.y, dy2 = corner[2].at.y - origin.y;
-  if (!is_small(dx1) || !is_small(dx2) || !is_small(dy1) || !is_small(dy2)) return false;
-  std::int32_t dz1 = static_cast<std::int32_t>(corner[1].depth - corner[0].depth);
-  std::int32_t dz2 = static_cast<std::int32_t>(corner[2].depth - corner[0].depth);
-  std::int32_t area = dx1 * dy2 - dx2 * dy1;
-  if (area == 0) return false;
-  if (area < 0) {  // the other way round
-    area = -area;
-    dz1 = -dz1;
-    dz2 = -dz2;
+  const ScreenXY at[3] = {corner[0].at, corner[1].at, corner[2].at};
+  Gradient gradient;
+  if (!small_gradient<kRampShift>(at, static_cast<std::int32_t>(corner[1].depth - corner[0].depth),
+                                  static_cast<std::int32_t>(corner[2].depth - corner[0].depth), gradient)) {
+    return false;
   }
-  const std::int64_t along_x = std::int64_t{dz1} * dy2 - std::int64_t{dz2} * dy1;
-  const std::int64_t along_y = std::int64_t{dz2} * dx1 - std::int64_t{dz1} * dx2;
-  if (!fits(along_x, INT32_MAX) || !fits(along_y, INT32_MAX)) return false;
-  const int up = std::countl_zero(static_cast<std::uint32_t>(area)) - 1;
-  const std::uint32_t inverse = reciprocal_normalised(static_cast<std::uint32_t>(area) << up);
-  const std::int64_t right = gradient(static_cast<std::int32_t>(along_x), inverse, up);
-  const std::int64_t down = gradient(static_cast<std::int32_t>(along_y), inverse, up);
-  if (!fits(right, kSteepest) || !fits(down, kSteepest)) return false;
-  constexpr std::int32_t kCentre = kSubpixels / 2;
-  const std::int64_t climb = right * (kCentre - origin.x) + down * (kCentre - origin.y);
-  plane.ramp.slope = static_cast<std::uint32_t>(right);
-  plane.down = static_cast<std::uint32_t>(down);
-  plane.ramp.at_zero = (corner[0].depth << kRampShift) + static_cast<std::uint32_t>(climb >> 4);
+  plane.ramp.slope = static_cast<std::uint32_t>(gradient.right);
+  plane.down = static_cast<std::uint32_t>(gradient.down);
+  plane.ramp.at_zero = at_origin(corner[0].depth << kRampShift, at[0], gradient);
   return true;
 }
 

@@ -345,6 +345,7 @@ class DepthSorter {
       span.face = polygon.face;
       span.payload = polygon.payload;
       span.gouraud = (polygon.flags & PolygonBlock::kGouraud) != 0;
+      span.smooth = (polygon.flags & PolygonBlock::kSmooth) != 0;
       span.segment = &p_.store->held(pending_.segment);
       if (span.gouraud) span.shade = &p_.store->shade(pending_.segment);
       if constexpr (kOptions.taps) span.depth = ramp_of(pending_);

@@ -34,8 +34,8 @@ class EdgeWalker {
   // for each before faces are filed.
   void begin(const SceneRecord& scene, std::int32_t top);
   void forget(std::uint32_t vertex) { buckets_.forget(static_cast<std::uint16_t>(vertex + 1)); }
-  // Files a vertex of a face that is drawn.
-  void file(std::uint32_t vertex) { buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
+  // Files a vertex of a face that is drawn; true the first time.
+  bool file(std::uint32_t vertex) { return buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
 
   // Starts the edges that begin on `line`; to be called for every line from top on. drawn(FaceId) says whether a face
   // is drawn: those that are run counter-clockwise on the screen. False where there is no room for an edge.

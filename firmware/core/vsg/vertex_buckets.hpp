@@ -22,14 +22,17 @@ class VertexBuckets {
   }
   // Marks a vertex as not filed.
   void forget(std::uint16_t vertex) { links_[vertex] = kNotFiled; }
-  // Files a vertex, once.
-  void file(std::uint16_t vertex) {
-    if (links_[vertex] != kNotFiled) return;
+  // Files a vertex, once: true the first time. Those below the last line are never reached.
+  bool file(std::uint16_t vertex) {
+    std::uint16_t& link = links_[vertex];
+    if (link != kNotFiled) return false;
+    link = 0;
     const std::int32_t own = first_centre(points_[vertex].y);
-    if (own >= bottom_) return;
+    if (own >= bottom_) return true;
     std::uint16_t& bucket = at(own > top_ ? own : top_);
-    links_[vertex] = bucket;
+    link = bucket;
     bucket = vertex;
+    return true;
   }
   // The vertices of a line from left to right, as a list through next(): those that lie side by side in the mesh have
   // mostly been filed in this order or the reverse, which a hint turns into one look each. Those of the top line stay

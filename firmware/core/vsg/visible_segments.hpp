@@ -25,7 +25,8 @@ struct VsgStorage {
 // What a facet looks like: worked out by shade, carried by vsg.
 struct FacetLook {
   std::uint16_t payload = 0;
-  bool gouraud = false;
+  bool gouraud = false;  // colours along edges
+  bool smooth = false;   // the shader makes pixels of a brightness of its own: VisibleSpan::smooth
 };
 
 // Which facet: of all with one face, as those of a patch, each has its own `part`.
@@ -187,7 +188,8 @@ Room VisibleSegments<kOptions>::add(const FacetName& name, bool triangle, std::i
                                     const Feed& feed) {
   CHECK(!look.gouraud || has_colours());
   const auto flags =
-      static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0));
+      static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0) |
+                                (look.smooth ? PolygonBlock::kSmooth : 0));
   const PolygonBlock block{name.face, 0, 0, 0, look.payload, flags, {}, name.part};
   std::uint16_t polygon = polygons_.open(block);
   while (polygon == 0) {

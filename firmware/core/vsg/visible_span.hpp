@@ -11,6 +11,7 @@ struct VisibleSpan {
   std::uint16_t line, left, right;
   std::uint16_t face = kNoFace;  // kNoFace: background
   bool gouraud = false;
+  bool smooth = false;                    // FacetLook::smooth
   std::uint16_t payload = 0;              // what the shader gave the facet
   const SegmentBlock* segment = nullptr;  // already stepped to the next line; null for the background
   const SegmentShade* shade = nullptr;    // colours along its edges, where gouraud

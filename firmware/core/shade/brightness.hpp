@@ -1,0 +1,96 @@
+// Gouraud's shading of triangles in light without hue: brightness is a plane over the screen, and a table turns it into
+// colours.
+#pragma once
+
+#include <bit>
+
+#include "core/base/pool.hpp"
+#include "core/geom/screen.hpp"
+#include "core/scene/format.hpp"
+#include "core/vsg/active_edge.hpp"
+
+namespace spanline {
+
+// Brightness at a vertex, 0 … kFullBrightness.
+using Brightness = std::uint8_t;
+inline constexpr std::uint32_t kFullBrightness = 252;
+inline constexpr int kBrightnessStep = 2;  // bits below an entry of the table
+
+// Brightness over a triangle, in table entries Q6.18 modulo 2^32, half an entry added so that cutting off rounds.
+struct BrightnessPlane {
+  static constexpr int kFraction = 18;
+  std::uint32_t at_zero, right, down;  // at column 0 and line 0; a column; a line
+  std::uint32_t at(std::uint32_t column, std::uint32_t line) const { return at_zero + right * column + down * line; }
+};
+
+// The plane through three corners; never out of the table inside the triangle.
+BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]);
+
+// The colours of one material, darkest first, as Painter::fill takes them.
+struct ColorTable {
+  static constexpr std::uint32_t kEntries = 64;
+  std::uint16_t material;
+  std::uint16_t colors[kEntries];
+};
+static_assert(kFullBrightness >> kBrightnessStep == ColorTable::kEntries - 1);
+
+// How a face looks that was met lately: its brightness over a material, or one colour.
+struct FaceLook {
+  BrightnessPlane plane;
+  FaceId face;
+  std::uint16_t look;  // the material where smooth, else the colour
+  static constexpr std::uint32_t kFlat =
+      0xffffffffu;  // plane.at_zero of a face of one colour; a level plane is below 2^24
+  bool smooth() const { return plane.at_zero != kFlat || plane.right != 0 || plane.down != 0; }
+};
+static_assert(sizeof(FaceLook) == 16);
+
+// What Gouraud's shading uses; without looks everything is flat.
+struct SmoothStorage {
+  PoolRef<FaceLook> looks;
+  PoolRef<ColorTable> tables;
+};
+
+// The looks and tables made last, each in the place that its number gives it.
+class SmoothCache {
+ public:
+  SmoothCache() = default;
+  SmoothCache(const SmoothStorage& storage, PixelFormat format)
+      : looks_(storage.looks),
+        tables_(storage.tables),
+        look_mask_(std::bit_floor(storage.looks.capacity() + 1u) - 1u),
+        table_mask_(std::bit_floor(storage.tables.capacity() + 1u) - 1u),
+        format_(format) {}
+
+  bool on() const { return looks_.capacity() != 0; }
+
+  // At the beginning of a frame.
+  void clear();
+
+  // The face's look; make(face) where it is not here. Valid until the next call.
+  template <typename Make>
+  const FaceLook& look(FaceId face, const Make& make) {
+    FaceLook& look = looks_[face & look_mask_];
+    if (look.face != face) {
+      look = make(face);
+      look.face = face;
+    }
+    return look;
+  }
+  // Likewise a material's colours.
+  const std::uint16_t* colors(std::uint16_t material, const Slice<const MaterialRecord>& materials) {
+    ColorTable& table = tables_[material & table_mask_];
+    if (table.material != material) fill(table, material, materials[material].color);
+    return table.colors;
+  }
+
+ private:
+  void fill(ColorTable& table, std::uint16_t material, const Rgb8& color);
+
+  PoolRef<FaceLook> looks_;
+  PoolRef<ColorTable> tables_;
+  std::uint32_t look_mask_ = 0, table_mask_ = 0;
+  PixelFormat format_ = PixelFormat::rgb565;
+};
+
+}  // namespace spanline
