@@ -19,7 +19,8 @@ inline constexpr Layouts::Layout kCubesLarge{{&cubes_scene::scene, &cubes_scene:
                                               .segments = 12,
                                               .samples = 24,
                                               .implied = 16,
-                                              .gouraud = false}};
+                                              .gouraud = false,
+                                              .scan_out = ScanPolicy::tiles}};
 
 inline constexpr Layouts cubes{"cubes",
                                pose_cubes,
@@ -35,6 +36,7 @@ inline constexpr Layouts cubes{"cubes",
                                  .segments = 12,
                                  .samples = 24,
                                  .implied = 16,
-                                 .gouraud = false}}};
+                                 .gouraud = false,
+                                 .scan_out = ScanPolicy::tiles}}};
 
 }  // namespace spanline::demos

@@ -42,8 +42,8 @@ Picture draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame,
   options.format = screen.format;
   options.pools = pools_of(demo.budget);
   if (panel != nullptr) {
-    options.on_line = [panel](Slice<const std::uint8_t> wire) { panel->line(wire); };
-    panel->begin_frame();
+    options.on_line = [panel](const FinishedLine& line) { panel->line(line); };
+    panel->begin_frame(stage.view().scene().background);
   }
   Rendering rendering;
   const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);

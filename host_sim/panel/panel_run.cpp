@@ -25,6 +25,8 @@ class DriverRun final : public PanelRun {
   hal::Window snap(const hal::Window& window) const override { return Driver::snap(window); }
   hal::Fault send(Slice<const std::uint8_t> line) override { return driver_.send(line); }
   hal::Fault wait() override { return driver_.wait(); }
+  hal::Fault finish() override { return driver_.finish(); }
+  std::uint8_t window_bytes() const override { return Driver::kWindowBytes; }
 
  private:
   Driver driver_;

@@ -25,6 +25,8 @@ class PanelRun {
   virtual hal::Window snap(const hal::Window& window) const = 0;
   virtual hal::Fault send(Slice<const std::uint8_t> line) = 0;
   virtual hal::Fault wait() = 0;
+  virtual hal::Fault finish() = 0;
+  virtual std::uint8_t window_bytes() const = 0;
 
   // What the panel shows to a viewer for whom the picture is upright.
   Picture picture() const { return turned(model_->picture(), rotation_); }

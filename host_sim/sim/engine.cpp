@@ -40,7 +40,9 @@ class FrameEngine final : public Engine {
       while (frame_.next_line({wire_.data(), static_cast<std::uint32_t>(wire_.size())})) {
         decode_line(options_.format, wire_.data(), options_.width,
                     out.picture.rgb.data() + std::size_t{3} * options_.width * line);
-        if (options_.on_line) options_.on_line({wire_.data(), static_cast<std::uint32_t>(wire_.size())});
+        if (options_.on_line) {
+          options_.on_line({line, {wire_.data(), static_cast<std::uint32_t>(wire_.size())}});
+        }
         ++line;
         note_line(out);
       }

@@ -13,6 +13,12 @@
 
 namespace spanline::host {
 
+// A line in wire order, as it is handed to a panel.
+struct FinishedLine {
+  std::uint16_t line;
+  Slice<const std::uint8_t> wire;
+};
+
 struct EngineOptions {
   std::uint16_t width = 320, height = 240;  // px
   PixelFormat format = PixelFormat::rgb565;
@@ -20,8 +26,8 @@ struct EngineOptions {
   Walker walker = Walker::segments;  // both: the edge walker where it can; never edges
   std::uint16_t bands = 1;       // at least that many equal ones
   PoolSizes pools;
-  bool observe = false;                                              // face and depth of every pixel, statistics
-  std::function<void(Slice<const std::uint8_t> wire)> on_line = {};  // sees each line as it is finished
+  bool observe = false;  // face and depth of every pixel, statistics
+  std::function<void(const FinishedLine&)> on_line = {};
 };
 
 // One finished frame.

@@ -65,4 +65,19 @@ FrameStorage HostMemory::storage() {
           {looks_.ref(), tables_.ref()}};
 }
 
+HostScanOutMemory::HostScanOutMemory(const Screen& screen, ScanPolicy policy, std::uint8_t window_bytes)
+    : screen_(screen),
+      policy_(policy),
+      window_bytes_(window_bytes),
+      lines_(screen.height),
+      hashes_(tiles_per_line(screen.width) * screen.height) {}
+
+ScanOutStorage HostScanOutMemory::storage() {
+  return {screen_,
+          policy_,
+          {lines_.data(), static_cast<std::uint32_t>(lines_.size())},
+          {hashes_.data(), static_cast<std::uint32_t>(hashes_.size())},
+          window_bytes_};
+}
+
 }  // namespace spanline::host

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/frame/scan_out.hpp"
 #include "core/frame/storage.hpp"
 
 namespace spanline::host {
@@ -63,6 +64,23 @@ class HostMemory {
   Blocks<Brightness> levels_;
   Blocks<FaceLook> looks_;
   Blocks<ColorTable> tables_;
+};
+
+// A ScanOutMemory likewise.
+class HostScanOutMemory {
+ public:
+  HostScanOutMemory(const Screen& screen, ScanPolicy policy, std::uint8_t window_bytes);
+  HostScanOutMemory(const HostScanOutMemory&) = delete;
+  HostScanOutMemory& operator=(const HostScanOutMemory&) = delete;
+
+  ScanOutStorage storage();
+
+ private:
+  Screen screen_;
+  ScanPolicy policy_;
+  std::uint8_t window_bytes_;
+  std::vector<Columns> lines_;
+  std::vector<std::uint32_t> hashes_;
 };
 
 }  // namespace spanline::host

@@ -1,7 +1,9 @@
 #include "sim/panel_options.hpp"
 
+#include "assetc/input_error.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
+#include "sim/usage_error.hpp"
 
 namespace spanline::host {
 
@@ -12,6 +14,10 @@ void PanelOptions::add_to(CLI::App& verb) {
       "--panel", panel_,
       "send the picture through this panel's driver and show what its controller makes of the bytes: " + names);
   verb.add_option("--rotation", rotation_, "of the panel, in quarter turns: 0 (default) to 3");
+  verb.add_option(
+      "--scan-out", scan_out_,
+      "what is sent of each line: full (default), extents (what is or was covered), tiles (runs of 16 pixels "
+      "that have changed)");
   verb.add_option("--spi-log", spi_log_,
                   "the bytes sent to the panel, two by two: 0 command, 1 data, 2 chip select, 3 reset, then the value");
 }
@@ -22,9 +28,16 @@ std::unique_ptr<PanelOutput> PanelOptions::make() const {
 }
 
 std::unique_ptr<PanelOutput> PanelOptions::make(const std::string& panel, int rotation) const {
-  auto output = std::make_unique<PanelOutput>(panel, rotation);
+  auto output = std::make_unique<PanelOutput>(panel, rotation, policy());
   if (spi_log_) output->keep_log();
   return output;
+}
+
+ScanPolicy PanelOptions::policy() const {
+  if (!scan_out_ || *scan_out_ == "full") return ScanPolicy::full;
+  if (*scan_out_ == "extents") return ScanPolicy::extents;
+  if (*scan_out_ == "tiles") return ScanPolicy::tiles;
+  throw UsageError("--scan-out: '" + printable(*scan_out_) + "' is not one of full, extents, tiles");
 }
 
 void PanelOptions::save_log(const PanelOutput& panel) const {

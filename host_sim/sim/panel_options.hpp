@@ -1,4 +1,4 @@
-// --panel, --rotation and --spi-log, for every verb that can send its picture through a panel.
+// --panel, --rotation, --scan-out and --spi-log, for every verb that can send its picture through a panel.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,6 +16,7 @@ class PanelOptions {
   bool panel_given() const { return panel_.has_value(); }
   bool log_given() const { return spi_log_.has_value(); }
   bool rotation_given() const { return rotation_.has_value(); }
+  bool scan_out_given() const { return scan_out_.has_value(); }
 
   // The panel of --panel, turned by --rotation. Throws UsageError.
   std::unique_ptr<PanelOutput> make() const;
@@ -26,7 +27,9 @@ class PanelOptions {
   void save_log(const PanelOutput& panel) const;
 
  private:
-  std::optional<std::string> panel_, rotation_, spi_log_;
+  ScanPolicy policy() const;
+
+  std::optional<std::string> panel_, rotation_, scan_out_, spi_log_;
 };
 
 }  // namespace spanline::host

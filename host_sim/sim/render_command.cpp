@@ -83,8 +83,8 @@ void RenderCommand::check_outputs() const {
   if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !panel_.log_given()) {
     throw UsageError("nothing to do: give --out, --ids, --depth, --stats, --expect or --spi-log");
   }
-  if (!panel_.panel_given() && (panel_.rotation_given() || panel_.log_given()))
-    throw UsageError("--rotation and --spi-log need --panel");
+  if (!panel_.panel_given() && (panel_.rotation_given() || panel_.scan_out_given() || panel_.log_given()))
+    throw UsageError("--rotation, --scan-out and --spi-log need --panel");
   if (panel_.panel_given() && scene_.size_given()) throw UsageError("--size: the panel's size is the picture's");
   if (panel_.panel_given() && format_) throw UsageError("--format: the panel's pixels are the picture's");
   if (out_) check_picture_path(*out_);
@@ -178,7 +178,7 @@ void RenderCommand::run() const {
   EngineOptions options = engine_options(scene.description());
   if (panel) {
     options.format = panel->format();
-    options.on_line = [&panel](Slice<const std::uint8_t> wire) { panel->line(wire); };
+    options.on_line = [&panel](const FinishedLine& line) { panel->line(line); };
   }
   const std::unique_ptr<Engine> engine = Engine::make(options);
   const SceneCounts counts = stats_ ? count_scene(scene.description()) : SceneCounts{};
@@ -186,7 +186,7 @@ void RenderCommand::run() const {
   Rendering rendering;
   for (std::int64_t frame = range.first; frame <= range.last; ++frame) {
     scene.show(frame);
-    if (panel) panel->begin_frame();
+    if (panel) panel->begin_frame(scene.description().background);
     const SceneRecord record = scene.record();
     const Status status = engine->render(validated(record, scene.description().place), scene.camera(), rendering);
     if (!status.ok()) throw InputError(scene.description().place, status_text(status));

@@ -1,6 +1,7 @@
 // The main of every board: shows a demo, each line computed while the one before is on its way to the panel.
 #include "board.hpp"
 #include "boards/common/frame_marks.hpp"
+#include "boards/common/presenter.hpp"
 #include "boards/common/report.hpp"
 #include "boards/common/run_request.hpp"
 #include "boards/common/stack.hpp"
@@ -14,19 +15,20 @@ using BoardPanel = Board::Panel;
 
 constexpr Screen kScreen{BoardPanel::kWidth, BoardPanel::kHeight, BoardPanel::kFormat};
 constexpr demos::Demo kDemo = demos::chosen(kScreen);
-constexpr Budget kBudget = Board::fit(demos::budget_for(kDemo, kScreen));
+
+constexpr Budget budget() {
+  Budget fitted = Board::fit(demos::budget_for(kDemo, kScreen));
+  fitted.scan_out = policy_on<BoardPanel>(fitted.scan_out);
+  return fitted;
+}
+constexpr Budget kBudget = budget();
 constexpr std::uint32_t kLineBytes = bytes_per_line(kScreen.format, kScreen.width);
 static_assert(hal::Panel<BoardPanel>);
 
 class LinePair {
  public:
   Slice<std::uint8_t> back() { return lines_[turn_]; }
-  // Swaps, and returns what was the back.
-  Slice<const std::uint8_t> swap() {
-    const std::uint8_t(&finished)[kLineBytes] = lines_[turn_];
-    turn_ ^= 1;
-    return finished;
-  }
+  void swap() { turn_ ^= 1; }
 
  private:
   alignas(4) std::uint8_t lines_[2][kLineBytes]{};
@@ -34,6 +36,7 @@ class LinePair {
 };
 
 FrameMemory<kBudget> memory;
+ScanOutMemory<kBudget> shown_before;
 constinit LinePair lines;
 constinit demos::Stage stage;
 constinit Board board;
@@ -48,17 +51,25 @@ void demand(const Status& status) {
   if (!status.ok()) stop(status.where, kAfterTheFaults + static_cast<std::uint32_t>(status.code), status.line, 0);
 }
 
-void draw(Frame<>& frame, BoardPanel& panel) {
-  demand(panel.open({0, 0, kScreen.width, kScreen.height}));
+ScanOutStorage scan_out_storage() {
+  ScanOutStorage storage = shown_before.storage();
+  storage.window_bytes = window_bytes_of<BoardPanel>();
+  return storage;
+}
+
+void draw(Frame<>& frame, Presenter<BoardPanel>& presenter) {
+  presenter.begin_frame(stage.view().scene().background);
   for (Band rest{0, kScreen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
     if (band.empty()) return demand(frame.status());
     for (std::uint16_t line = band.top; frame.next_line(lines.back()); ++line) {
-      demand(panel.send(lines.swap()), line);
+      bool in_flight;
+      demand(presenter.line(line, {lines.back().data(), kLineBytes}, in_flight), line);
+      if (in_flight) lines.swap();
     }
     rest.top = band.bottom;
   }
-  demand(panel.wait(), kScreen.height);
+  demand(presenter.end_frame(), kScreen.height);
   demand(frame.status());
 }
 
@@ -76,10 +87,11 @@ void report(std::uint32_t shown) {
   demand(panel.begin());
   demand(stage.begin(kDemo, kScreen));
   Frame<> frame(memory.storage());
+  Presenter<BoardPanel> presenter(panel, scan_out_storage());
   for (std::uint32_t shown = 0;; ++shown) {
     frame_begin_mark();
     stage.show(shown);
-    draw(frame, panel);
+    draw(frame, presenter);
     frame_end_mark();
     if (request().made() && shown == request().last_frame) {
       report(shown);

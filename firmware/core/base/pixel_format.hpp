@@ -12,6 +12,11 @@ enum class PixelFormat : std::uint8_t {
   mono1,   // eight pixels a byte, left one in bit 7, ordered dither
 };
 
+constexpr std::uint32_t bits_per_pixel(PixelFormat format) {
+  constexpr std::uint8_t kBits[] = {16, 8, 4, 1};
+  return kBits[static_cast<std::uint8_t>(format)];
+}
+
 constexpr std::uint32_t bytes_per_line(PixelFormat format, std::uint32_t width) {
   switch (format) {
     case PixelFormat::rgb565:

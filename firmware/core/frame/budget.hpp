@@ -8,6 +8,10 @@
 
 namespace spanline {
 
+// How much of a picture crosses the wire (ScanOut): every line whole; of each line what is covered or was; or of that
+// the tiles, runs of 16 pixels, that have changed.
+enum class ScanPolicy : std::uint8_t { full, extents, tiles };
+
 struct Budget {
   std::uint16_t width = 320;   // px
   std::uint16_t height = 240;  // px
@@ -34,6 +38,7 @@ struct Budget {
   // Powers of two less one, since one more of each is there. looks 0: 15 for the segment walker, 127 for the others.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
+  ScanPolicy scan_out = ScanPolicy::full;  // ScanOutMemory: extents take 4 bytes a line, tiles 4 more for each tile
 };
 
 }  // namespace spanline

@@ -22,6 +22,13 @@ struct ScreenXY {
   friend constexpr bool operator==(const ScreenXY&, const ScreenXY&) = default;
 };
 
+// A run of pixel columns of one line, [left, right).
+struct Columns {
+  std::uint16_t left = 0, right = 0;
+  constexpr bool empty() const { return left >= right; }
+  friend constexpr bool operator==(const Columns&, const Columns&) = default;
+};
+
 // The first scan line (or pixel column) whose centre is at or after a 28.4 coordinate: ceil((v - 8) / 16). An edge
 // lives on the lines first_centre(y0) … first_centre(y1) - 1: the half-open rule, and with the same in x the top-left
 // rule.

@@ -134,6 +134,7 @@ struct LightRecord {
 struct BackgroundRecord {
   Rgb8 top;
   Rgb8 bottom;  // the same as top: one colour; otherwise a vertical gradient over the screen's height
+  friend constexpr bool operator==(const BackgroundRecord&, const BackgroundRecord&) = default;
 };
 
 // Everything that does not move with the viewer. Faces are numbered through the instances in order.

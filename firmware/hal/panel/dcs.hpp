@@ -85,6 +85,8 @@ class DcsPanel : public PanelBase<Wiring, Arguments::as_data, shape(kTraits, kRo
  public:
   constexpr explicit DcsPanel(const Wiring& wires) : Base(wires) {}
 
+  static constexpr std::uint8_t kWindowBytes = 11;  // that open() sends
+
   // The smallest window around `window` that open() accepts: itself.
   static constexpr Window snap(const Window& window) { return window; }
 

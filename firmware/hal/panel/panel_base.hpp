@@ -40,6 +40,14 @@ class PanelBase {
     return fault;
   }
 
+  // Ends the line in flight and the window, however many lines it still expects; the panel is deselected.
+  Fault finish() {
+    const Fault fault = wait();
+    lines_.close();
+    link_.release();
+    return fault;
+  }
+
  protected:
   constexpr explicit PanelBase(const Wiring& wires) : link_(wires) {}
 

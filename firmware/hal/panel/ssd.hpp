@@ -30,6 +30,9 @@ class SsdBase : public PanelBase<Wiring, Arguments::as_commands,
                          PanelShape{kLines, kTraits.glass_width, kTraits.glass_height, kTraits.clock_hz}>;
   static_assert(well_formed(kTraits.init));
 
+ public:
+  static constexpr std::uint8_t kWindowBytes = 6;  // that open() sends
+
  protected:
   constexpr explicit SsdBase(const Wiring& wires) : Base(wires) {}
 

@@ -62,18 +62,27 @@ class SsdGreyPanel : public SsdBase<kTraits, PixelFormat::grey4, Wiring> {
   Fault send(Slice<const std::uint8_t> line) {
     if (!lines_.take(line)) return Fault::bad_window;
     const Fault fault = Base::start(line);
-    unlatched_ = fault == Fault::none && lines_.left() == 0;
+    unlatched_ = fault == Fault::none;
     return fault;
   }
 
   // Ends the line in flight; after the window's last one the panel is deselected.
   Fault wait() {
     Fault fault = link_.finish();
+    if (fault != Fault::none) lines_.close();
+    if (lines_.left() != 0) return fault;
     if (kTraits.closing_nop && unlatched_ && fault == Fault::none) fault = link_.command(kNop, {});
     unlatched_ = false;
-    if (fault != Fault::none) lines_.close();
-    if (lines_.left() == 0) link_.release();
+    link_.release();
     return fault;
+  }
+
+  // Ends the line in flight and the window, however many lines it still expects; the panel is deselected.
+  Fault finish() {
+    const Fault fault = link_.finish();
+    lines_.close();
+    const Fault closed = wait();
+    return fault != Fault::none ? fault : closed;
   }
 
  private:
@@ -89,7 +98,7 @@ class SsdGreyPanel : public SsdBase<kTraits, PixelFormat::grey4, Wiring> {
 
   static constexpr std::uint8_t kNop = 0xE3;
 
-  bool unlatched_ = false;  // the window's last line has been sent
+  bool unlatched_ = false;  // the window's last byte so far
 };
 
 }  // namespace spanline::hal

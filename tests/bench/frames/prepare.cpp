@@ -25,8 +25,8 @@ Expected draw(const CompiledScene& scene) {
   options.width = scene.description().width;
   options.height = scene.description().height;
   options.observe = true;
-  options.on_line = [&seen](Slice<const std::uint8_t> line) {
-    for (const std::uint8_t byte : line) seen.checksum = (seen.checksum ^ byte) * 16777619u;
+  options.on_line = [&seen](const FinishedLine& line) {
+    for (const std::uint8_t byte : line.wire) seen.checksum = (seen.checksum ^ byte) * 16777619u;
   };
   Rendering rendering;
   const SceneRecord record = scene.record();
