@@ -21,6 +21,7 @@ struct MeshTables {
   std::vector<std::uint16_t> corners;
   std::vector<std::uint16_t> contours;
   std::vector<FaceGroup> groups;
+  std::vector<CurveRecord> curves;
   std::uint16_t face_count = 0;
   Fx16 origin[3];
   std::int32_t unit = 1;

@@ -97,6 +97,12 @@ void emit_mesh_tables(std::ostringstream& out, const MeshTables& mesh, const std
   emit_table(out, "std::uint16_t", "kFanStarts" + suffix, mesh.fan_starts, number);
   emit_table(out, "spanline::FanEdge", "kFans" + suffix, mesh.fans,
              [](const FanEdge& e) { return braces(e.to, e.face, e.twin); });
+  emit_table(out, "spanline::CurveRecord", "kCurves" + suffix, mesh.curves, [](const CurveRecord& c) {
+    constexpr const char* kKinds[] = {"kBezier", "kQuadratic", "kBSpline", "kCatmullRom"};
+    return "{" + std::to_string(c.first_corner) + ", " + std::to_string(c.point_count) +
+           ", spanline::CurveRecord::" + kKinds[c.kind] + ", " + std::to_string(c.flags) + ", " +
+           std::to_string(c.width) + ", " + std::to_string(c.material) + "}";
+  });
 }
 
 // A name as a C++ string literal; what is not plain ASCII becomes '_'.
@@ -115,7 +121,8 @@ std::string mesh_record(const MeshTables& mesh, const std::string& suffix) {
       << slice_of("kContours" + suffix, mesh.contours.size()) << ", "
       << slice_of("kGroups" + suffix, mesh.groups.size()) << ", " << mesh.face_count << ", " << fixed3(mesh.origin)
       << ", " << mesh.unit << ", " << slice_of("kFanStarts" + suffix, mesh.fan_starts.size()) << ", "
-      << slice_of("kFans" + suffix, mesh.fans.size()) << "}";
+      << slice_of("kFans" + suffix, mesh.fans.size()) << ", " << slice_of("kCurves" + suffix, mesh.curves.size())
+      << "}";
   return out.str();
 }
 
@@ -200,8 +207,9 @@ TableSizes table_sizes(const CompiledScene& scene) {
     sizes.indices += (mesh.corners.size() + mesh.contours.size()) * sizeof(std::uint16_t);
     sizes.groups += mesh.groups.size() * sizeof(FaceGroup);
     sizes.fans += mesh.fan_starts.size() * sizeof(std::uint16_t) + mesh.fans.size() * sizeof(FanEdge);
+    sizes.curves += mesh.curves.size() * sizeof(CurveRecord);
   }
-  constexpr std::size_t kMeshBytes = 4 + 8 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
+  constexpr std::size_t kMeshBytes = 4 + 9 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
   sizes.records = scene.meshes().size() * kMeshBytes + scene.instances().size() * sizeof(InstanceRecord) +
                   scene.materials().size() * sizeof(MaterialRecord) + scene.lights().size() * sizeof(LightRecord);
   return sizes;
@@ -219,6 +227,7 @@ std::string emit_report(const CompiledScene& scene, const TableSizes& before) {
   row("indices    ", sizes.indices);
   row("groups     ", sizes.groups);
   row("fans       ", sizes.fans);
+  row("curves     ", sizes.curves);
   row("records    ", sizes.records);
   out << "total      " << sizes.total() << " bytes; before merging " << before.total() << "\n";
   out << "one unit of the scene is " << scene.fit().scale << " world units about (" << scene.fit().centre.x << ", "

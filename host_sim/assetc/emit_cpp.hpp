@@ -20,8 +20,8 @@ std::string emit_source(const CompiledScene& scene, const std::string& name, con
 // What the tables of a scene occupy on a 32-bit target, in bytes, and how many things there are.
 struct TableSizes {
   std::size_t faces = 0, corners = 0, most_corners = 0;  // most_corners: of one face
-  std::size_t positions = 0, normals = 0, indices = 0, groups = 0, fans = 0, records = 0;
-  std::size_t total() const { return positions + normals + indices + groups + fans + records; }
+  std::size_t positions = 0, normals = 0, indices = 0, groups = 0, fans = 0, curves = 0, records = 0;
+  std::size_t total() const { return positions + normals + indices + groups + fans + curves + records; }
 };
 TableSizes table_sizes(const CompiledScene& scene);
 

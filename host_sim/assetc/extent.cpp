@@ -28,7 +28,7 @@ Box used_box(const MeshSource& mesh) {
 Sphere bounding_sphere(const SceneDescription& scene) {
   std::vector<Vec3> points;
   for (const InstanceSpec& instance : scene.instances) {
-    if (instance.hidden) continue;
+    if (instance.hidden || instance.on_screen) continue;
     const MeshSource& mesh = mesh_of(scene, instance);
     const Placement place = instance.placement(0);
     for (const ObjCorner& corner : mesh.corners) {
@@ -46,6 +46,7 @@ Sphere bounding_sphere(const SceneDescription& scene) {
 Box reach_of_instances(const SceneDescription& scene, const std::vector<Box>& boxes) {
   Box reach;
   for (const InstanceSpec& instance : scene.instances) {
+    if (instance.on_screen) continue;
     const MeshSource& mesh = mesh_of(scene, instance);
     if (instance.motion.keys.empty()) {
       const Placement place = instance.placement(0);

@@ -10,11 +10,12 @@ namespace spanline::host {
 // The bounding box of the positions that some face of the mesh uses, in the mesh's own units.
 Box used_box(const MeshSource& mesh);
 
-// Around the vertices of the instances that are drawn in frame 0: the centre of their bounding box, and the distance of
-// the farthest vertex. Radius 0 where nothing is drawn.
+// Around the vertices of the instances in the world that are drawn in frame 0: the centre of their bounding box, and
+// the distance of the farthest vertex. Radius 0 where nothing is drawn.
 Sphere bounding_sphere(const SceneDescription& scene);
 
-// Holds every vertex of every instance in every frame; exact for what stands still. `boxes`: used_box of each mesh.
+// Holds every vertex of every instance in the world in every frame; exact for what stands still. `boxes`: used_box of
+// each mesh.
 Box reach_of_instances(const SceneDescription& scene, const std::vector<Box>& boxes);
 
 // The largest length of a row of the instance's matrix over all frames.

@@ -159,6 +159,14 @@ class Merger {
       append_face(out, face, place_);
       out.face_normals.push_back(mesh_.face_normals[i]);
     }
+    for (CurveRecord curve : mesh_.curves) {
+      const std::uint32_t old = curve.first_corner;
+      curve.first_corner = static_cast<std::uint32_t>(out.corners.size());
+      for (std::uint32_t i = 0; i < curve.point_count; ++i) {
+        out.corners.push_back(renumbered(mesh_.corners[old + i], out));
+      }
+      out.curves.push_back(curve);
+    }
     return out;
   }
 

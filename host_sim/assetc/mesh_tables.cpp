@@ -121,7 +121,9 @@ MeshRecord MeshTables::record() const {
           {origin[0], origin[1], origin[2]},
           unit,
           view_of(fan_starts),
-          view_of(fans)};
+          view_of(fans),
+
+          view_of(curves)};
 }
 
 MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>& materials, const MeshFit& fit,
@@ -141,8 +143,10 @@ MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>&
     }
     if (!mesh.of_patches()) add_normals(mesh, vertices, smooth, tables);
   }
-  add_faces(mesh, static_cast<std::uint16_t>(materials.size() - 1), tables);
+  const auto default_material = static_cast<std::uint16_t>(materials.size() - 1);
+  add_faces(mesh, default_material, tables);
   if (!on_screen) build_fans(tables);
+  for (const MeshCurve& curve : mesh.curves) tables.curves.push_back(curve.record(default_material));
   return tables;
 }
 

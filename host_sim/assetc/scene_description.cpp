@@ -53,9 +53,20 @@ Placement InstanceSpec::placement(std::int64_t frame) const {
   return turn;
 }
 
+CurveRecord MeshCurve::record(std::uint16_t default_material) const {
+  const auto flags =
+      static_cast<std::uint8_t>((closed ? CurveRecord::kClosed : 0) | (smooth ? CurveRecord::kSmooth : 0));
+  return {first_corner,
+          point_count,
+          kind,
+          flags,
+          static_cast<std::uint16_t>(std::lround(16 * width)),
+          material == kNone ? default_material : static_cast<std::uint16_t>(material)};
+}
+
 std::int32_t add_obj(SceneDescription& scene, const ObjMesh& obj, const std::string& name, const std::string& place,
                      MeshShading shading) {
-  MeshSource mesh{name, place, obj.positions, obj.normals, obj.corners, {}, {}};
+  MeshSource mesh{name, place, obj.positions, obj.normals, obj.corners, {}, {}, {}};
   std::map<std::pair<std::int32_t, Shading>, std::int32_t>
       made;  // material of the file and shading, to that of the scene
   mesh.faces.reserve(obj.faces.size());

@@ -29,6 +29,19 @@ struct MeshFace {
   std::int32_t material;  // into SceneDescription::materials, or kNone: `default_material` of the scene
 };
 
+// A stroke; its points are MeshSource::corners.
+struct MeshCurve {
+  std::uint32_t first_corner = 0;
+  std::uint16_t point_count = 0;
+  CurveRecord::Kind kind = CurveRecord::kBezier;
+  bool closed = false;
+  bool smooth = true;
+  double width = 1;               // px
+  std::int32_t material = kNone;  // as MeshFace::material
+
+  CurveRecord record(std::uint16_t default_material) const;
+};
+
 struct MeshSource {
   std::string name;
   std::string place;  // for messages: the file, or the JSON path of an inline mesh
@@ -37,6 +50,7 @@ struct MeshSource {
   std::vector<ObjCorner> corners;
   std::vector<std::uint16_t> rings;  // ring lengths of faces with several
   std::vector<MeshFace> faces;       // all polygons or all patches
+  std::vector<MeshCurve> curves;
 
   bool of_patches() const { return !faces.empty() && faces[0].ring_count == FaceGroup::kPatches; }
 };
@@ -49,7 +63,7 @@ struct InstanceSpec {
   std::int32_t material = kNone;
   bool cull = true;
   bool hidden = false;
-  bool on_screen = false;           // see InstanceRecord::kScreen
+  bool on_screen = false;           // see InstanceRecord::kScreen; positions in 1/16 px
   std::optional<Placement> matrix;  // given as it is; otherwise by `pose`
   bool turn_by_axis = false;  // how the four turn numbers of the pose are meant: x, y, z, angle; or x, y, z angles
   Pose pose{0, 0, 0, 0, 0, 0, 0, 1, 1, 1};

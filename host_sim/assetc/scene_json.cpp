@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "assetc/curve_json.hpp"
 #include "assetc/json_node.hpp"
 #include "assetc/motion_json.hpp"
 #include "assetc/patch_mesh.hpp"
@@ -151,21 +152,33 @@ void read_face(const JsonNode& node, MeshSource& mesh, std::int32_t material) {
   mesh.faces.push_back(face);
 }
 
+void read_vertices(const JsonNode& node, MeshSource& mesh) {
+  for (const JsonNode& vertex : node.require("vertices").elements(3)) mesh.positions.push_back(vertex.point());
+}
+
+void read_faces(const JsonNode& node, MeshSource& mesh, std::int32_t material) {
+  const std::vector<JsonNode> faces = node.require("faces").elements(1);
+  if (faces.size() > kMaxSceneFaces) node.require("faces").fail("more than 65535 faces in one mesh");
+  for (const JsonNode& face : faces) read_face(face, mesh, material);
+}
+
 void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names& materials) {
   MeshSource mesh;
   mesh.name = node.require("name").text();
   mesh.place = node.place();
   std::int32_t material = kNone;
   if (const auto given = node.find("material")) material = look_up(*given, materials, "material");
-  for (const JsonNode& vertex : node.require("vertices").elements(3)) mesh.positions.push_back(vertex.point());
+  const MaterialOf material_of = [&](const JsonNode& name) { return look_up(name, materials, "material"); };
+  const auto curves = node.find("curves"), isocurves = node.find("isocurves");
   if (const auto patches = node.find("patches")) {
+    read_vertices(node, mesh);
     read_inline_patches(*patches, mesh, material);
-    scene.meshes.push_back(std::move(mesh));
-    return;
+  } else if (node.find("vertices") || node.find("faces") || (!curves && !isocurves)) {
+    read_vertices(node, mesh);
+    read_faces(node, mesh, material);
   }
-  const std::vector<JsonNode> faces = node.require("faces").elements(1);
-  if (faces.size() > kMaxSceneFaces) node.require("faces").fail("more than 65535 faces in one mesh");
-  for (const JsonNode& face : faces) read_face(face, mesh, material);
+  if (curves) read_curves(*curves, mesh, material, material_of);
+  if (isocurves) read_isocurves(*isocurves, mesh, material, material_of);
   scene.meshes.push_back(std::move(mesh));
 }
 
@@ -203,15 +216,54 @@ void read_meshes(const JsonNode& node, SceneDescription& scene, const Names& mat
     } else if (each.find("bpt")) {
       read_mesh_file(each, "bpt", add_bpt_file);
     } else {
-      each.allow_keys({"name", "vertices", each.find("patches") ? "patches" : "faces", "material"});
+      each.allow_keys(
+          {"name", "vertices", each.find("patches") ? "patches" : "faces", "curves", "isocurves", "material"});
       read_inline_mesh(each, scene, materials);
     }
   }
 }
 
+// Screen instances stand as their mesh says.
+void read_screen(const JsonNode& node, InstanceSpec& instance) {
+  const auto screen = node.find("screen");
+  if (!screen || !screen->boolean()) return;
+  instance.on_screen = true;
+  for (const char* key : {"matrix", "translate", "rotate", "scale", "motion"}) {
+    if (const auto placed = node.find(key)) placed->fail("an instance on the screen has no placement");
+  }
+}
+
+// Meshes that are drawn on the screen have their points in pixels; records have them in sixteenths.
+void scale_screen_meshes(const JsonNode& node, SceneDescription& scene) {
+  const std::vector<JsonNode> nodes = node.elements();
+  std::vector<bool> scaled(scene.meshes.size());
+  const auto is_lit = [&](std::int32_t material) {
+    return material == kNone || scene.materials[static_cast<std::size_t>(material)].shading != Shading::kUnlit;
+  };
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const InstanceSpec& instance = scene.instances[i];
+    MeshSource& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (const InstanceSpec& other : scene.instances) {
+      if (other.mesh == instance.mesh && other.on_screen != instance.on_screen) {
+        nodes[i].fail("the mesh is drawn on the screen and in the world");
+      }
+    }
+    if (!instance.on_screen) continue;
+    for (const MeshFace& face : mesh.faces) {
+      if (is_lit(instance.material == kNone ? face.material : instance.material)) {
+        nodes[i].fail("a face on the screen needs a material with \"shading\": \"unlit\"");
+      }
+    }
+    if (scaled[static_cast<std::size_t>(instance.mesh)]) continue;
+    scaled[static_cast<std::size_t>(instance.mesh)] = true;
+    for (Vec3& p : mesh.positions) p = {kSubpixels * p.x, kSubpixels * p.y, p.z};
+  }
+}
+
 void read_instances(const JsonNode& node, SceneDescription& scene, const Names& materials, const Names& meshes) {
   for (const JsonNode& each : node.elements(1)) {
-    each.allow_keys({"mesh", "material", "matrix", "translate", "rotate", "scale", "cull", "hidden", "motion"});
+    each.allow_keys(
+        {"mesh", "material", "matrix", "translate", "rotate", "scale", "cull", "hidden", "screen", "motion"});
     InstanceSpec instance;
     instance.mesh = look_up(each.require("mesh"), meshes, "mesh");
     if (const auto material = each.find("material")) instance.material = look_up(*material, materials, "material");
@@ -219,8 +271,10 @@ void read_instances(const JsonNode& node, SceneDescription& scene, const Names& 
     if (const auto cull = each.find("cull")) instance.cull = cull->boolean();
     if (const auto hidden = each.find("hidden")) instance.hidden = hidden->boolean();
     read_placement(each, instance);
+    read_screen(each, instance);
     scene.instances.push_back(instance);
   }
+  scale_screen_meshes(node, scene);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "implied") return &implied;
   if (pool == "patch_facets") return &patch_facets;
   if (pool == "patch_vertices") return &patch_vertices;
+  if (pool == "curves") return &curves;
+  if (pool == "strands") return &strands;
   return nullptr;
 }
 
@@ -39,9 +41,14 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       planes_(255),
       levels_(sizes.vertices),
       looks_(1023),
-      tables_(15) {}
+      tables_(15),
+      pieces_(sizes.curves),
+      piece_buckets_(band_lines),
+      strands_(sizes.strands),
+      masks_(screen.width) {}
 
 FrameStorage HostMemory::storage() {
+  overlay_.use({pieces_.ref(), piece_buckets_.ref(), strands_.ref(), masks_.ref()});
   return {screen_,
           facets_.ref(),
           buckets_.ref(),
@@ -62,7 +69,8 @@ FrameStorage HostMemory::storage() {
             planes_.ref()},
            faces_.ref(),
            levels_.ref()},
-          {looks_.ref(), tables_.ref()}};
+          {looks_.ref(), tables_.ref()},
+          &overlay_};
 }
 
 HostScanOutMemory::HostScanOutMemory(const Screen& screen, ScanPolicy policy, std::uint8_t window_bytes)

@@ -11,7 +11,8 @@ namespace spanline::host {
 
 struct PoolSizes {
   std::uint16_t facets = 65535, vertices = 65535, polygons = 65534, edges = 65534, segments = 65534, samples = 32767,
-                implied = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices;
+                implied = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices, curves = 65535,
+                strands = 4096;
   std::uint16_t patch_tolerance = 8;  // 1/16 px
 
   // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
@@ -64,6 +65,11 @@ class HostMemory {
   Blocks<Brightness> levels_;
   Blocks<FaceLook> looks_;
   Blocks<ColorTable> tables_;
+  Blocks<WaitingPiece> pieces_;
+  Blocks<std::uint16_t> piece_buckets_;
+  Blocks<StrandBlock> strands_;
+  Blocks<CoverageMask> masks_;
+  CurveOverlay overlay_;
 };
 
 // A ScanOutMemory likewise.

@@ -71,7 +71,7 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   verb_->add_option("--bands", bands_, "prepare the picture in at least so many equal bands");
   verb_->add_option("--pools", pools_,
                     "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, "
-                    "patch_facets, patch_vertices");
+                    "patch_facets, patch_vertices, curves, strands");
   verb_->add_option("--tolerance", tolerance_, "px that an edge of a diced patch may be off it (default: 0.5)");
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");

@@ -1,8 +1,16 @@
 #include "sim/status_text.hpp"
 
+#include <string_view>
+
 #include "assetc/input_error.hpp"
 
 namespace spanline::host {
+
+namespace {
+
+bool of_curves(std::string_view pool) { return pool == "curves" || pool == "strands"; }
+
+}  // namespace
 
 std::string status_text(const Status& status) {
   const std::string figures = std::to_string(status.needed) + " (limit " + std::to_string(status.limit) + ")";
@@ -11,8 +19,8 @@ std::string status_text(const Status& status) {
       return "done";
     case Code::pool_exhausted:
       return std::string("pool '") + status.where + "' is too small: line " + std::to_string(status.line) + " needs " +
-             std::to_string(status.needed) + ", it has " + std::to_string(status.limit) +
-             "; the highest face numbers are left out";
+             std::to_string(status.needed) + ", it has " + std::to_string(status.limit) + "; the highest " +
+             (of_curves(status.where) ? "curve" : "face") + " numbers are left out";
     case Code::unclosed:
       return "face " + std::to_string(status.index) + " is not closed on line " + std::to_string(status.line);
     case Code::bad_record:

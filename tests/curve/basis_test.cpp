@@ -80,7 +80,7 @@ TEST(ForwardDifferences, AMillionWalksAreExactIn32Bits) {
 TEST(ForwardDifferences, FinerSubpixelsAndWiderScreensAreExact) {
   walk_curves<std::int32_t, 9 + 8, 4>(2, oracle::rounds(100'000));
   walk_curves<std::int32_t, 10 + 4, 5>(3, oracle::rounds(100'000));
-  walk_curves<std::int64_t, 17, 15>(4, 20);  // 2^15 steps each
+  walk_curves<std::int64_t, 18, 15>(4, 20);  // 2^15 steps each; the format that strands are walked in
 }
 
 template <int kBits, int kFinestU, int kFinestV>

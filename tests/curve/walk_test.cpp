@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/random.hpp"
+#include "curve/curves.hpp"
 
 namespace spanline::test {
 namespace {
@@ -35,16 +35,6 @@ Walked walk(const Cubic& curve) {
   return walked;
 }
 
-CurvePoint random_point(Random& random, int width, int height) {
-  return {random.below(width * 16), random.below(height * 16)};
-}
-
-Cubic random_cubic(Random& random) {
-  Cubic curve;
-  for (CurvePoint& p : curve.p) p = random_point(random, 320, 240);
-  return curve;
-}
-
 // What must hold of every walk: it starts and ends in the right pixels, has no gap and no pixel twice in a row.
 void expect_connected(const Cubic& curve, const Walked& walked) {
   const auto pixel_of = [](CurvePoint p) {
@@ -58,20 +48,6 @@ void expect_connected(const Cubic& curve, const Walked& walked) {
     ASSERT_FALSE(a == b) << "twice in a row at " << i;
     ASSERT_LE(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)), 1) << "a gap at " << i;
   }
-}
-
-struct At {
-  double x, y;  // px
-};
-At exact_at(const Cubic& c, double t) {
-  const double s = 1 - t;
-  const double w[4] = {s * s * s / 16, 3 * s * s * t / 16, 3 * s * t * t / 16, t * t * t / 16};
-  At at{0, 0};
-  for (int i = 0; i < 4; ++i) {
-    at.x += w[i] * c.p[i].x;
-    at.y += w[i] * c.p[i].y;
-  }
-  return at;
 }
 
 // How far a place is from the square of a pixel, the larger of x and y.
@@ -124,11 +100,7 @@ TEST(CurveWalk, FollowsTheExactCurve) {
 TEST(CurveWalk, TakesControlPointsFarOffTheScreen) {
   Random random(3);
   for (int i = 0; i < oracle::rounds(200); ++i) {
-    Cubic curve;
-    for (CurvePoint& p : curve.p) {
-      p = {random.between(-kMaxCurve, kMaxCurve), random.between(-kMaxCurve, kMaxCurve)};
-      if (random.percent(30)) p = {random.percent(50) ? kMaxCurve : -kMaxCurve, p.y};
-    }
+    const Cubic curve = random_far_cubic(random);
     expect_connected(curve, walk(curve));
     if (testing::Test::HasFatalFailure()) FAIL() << "curve " << i;
   }

@@ -26,6 +26,8 @@ struct Fixture {
   std::vector<MaterialRecord> materials{
       {{1, 2, 3}, MaterialRecord::kFlat}, {{4, 5, 6}, MaterialRecord::kGouraud}, {{7, 8, 9}, MaterialRecord::kUnlit}};
   std::vector<InstanceRecord> instances;
+  std::vector<CurveRecord> curves{{0, 4, CurveRecord::kBezier, CurveRecord::kOpen, 16, 0},
+                                  {4, 3, CurveRecord::kBSpline, CurveRecord::kClosed, 0, 2}};
   std::vector<LightRecord> lights{{{{}, {}, Fx30::from_int(-1)}, {256, 256, 256}}};
   MeshRecord mesh{};
   std::vector<MeshRecord> meshes;
@@ -46,6 +48,7 @@ struct Fixture {
     mesh.corners = slice_of(corners);
     mesh.contours = slice_of(contours);
     mesh.groups = slice_of(groups);
+    mesh.curves = slice_of(curves);
     meshes = {mesh};
     if (patch) patch(meshes[0]);
     SceneRecord scene{};
@@ -86,7 +89,18 @@ std::vector<BadCase> bad_cases() {
       {"MeshRecord", "origin", 0, [big](Fixture& f) { f.mesh.origin[2] = -big; }},
       {"MeshRecord", "face_count", 0, [](Fixture& f) { f.mesh.face_count = 4, f.face_normals.resize(4); }},
       {"MeshRecord", "face_count", 0,
-       [](Fixture& f) { f.mesh.face_count = 0, f.groups.clear(), f.face_normals.clear(); }},
+       [](Fixture& f) { f.mesh.face_count = 0, f.groups.clear(), f.face_normals.clear(), f.curves.clear(); }},
+      {"CurveRecord", "kind", 1, [](Fixture& f) { f.curves[1].kind = static_cast<CurveRecord::Kind>(4); }},
+      {"CurveRecord", "point_count", 0, [](Fixture& f) { f.curves[0].point_count = 5; }},
+      {"CurveRecord", "point_count", 0, [](Fixture& f) { f.curves[0].point_count = 0; }},
+      {"CurveRecord", "point_count", 0, [](Fixture& f) { f.curves[0].kind = CurveRecord::kQuadratic; }},
+      {"CurveRecord", "point_count", 0, [](Fixture& f) { f.curves[0].flags = CurveRecord::kClosed; }},
+      {"CurveRecord", "point_count", 1, [](Fixture& f) { f.curves[1].point_count = 2; }},
+      {"CurveRecord", "point_count", 1, [](Fixture& f) { f.curves[1].flags = CurveRecord::kOpen; }},
+      {"CurveRecord", "first_corner", 0, [](Fixture& f) { f.curves[0].first_corner = 10; }},
+      {"CurveRecord", "first_corner", 0, [](Fixture& f) { f.curves[0].first_corner = 0xffffffff; }},
+      {"CurveRecord", "width", 0, [](Fixture& f) { f.curves[0].width = CurveRecord::kMaxWidth + 1; }},
+      {"CurveRecord", "material", 1, [](Fixture& f) { f.curves[1].material = 3; }},
       {"FaceGroup", "first_face", 1, [](Fixture& f) { f.groups[1].first_face = 3; }},
       {"FaceGroup", "first_face", 1, [](Fixture& f) { f.groups[1].first_face = 1; }},
       {"FaceGroup", "face_count", 1, [](Fixture& f) { f.groups[1].face_count = 0; }},
@@ -133,6 +147,7 @@ TEST(SceneView, AcceptsASoundScene) {
   ASSERT_TRUE(status.ok()) << status.where << " " << status.field;
   EXPECT_EQ(view.face_count(), 6);
   EXPECT_EQ(view.vertex_count(), 18);
+  EXPECT_EQ(view.curve_count(), 4);
   EXPECT_EQ(&view.scene(), &scene);
 }
 

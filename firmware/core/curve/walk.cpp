@@ -55,39 +55,17 @@ bool CurveWalk::next_piece() {
     waiting_[waiting_count_++] = cut(piece);
   }
   origin_ = piece.p[0];
-  std::int32_t x[4], y[4];
-  for (int i = 0; i < 4; ++i) {
-    x[i] = piece.p[i].x - origin_.x;
-    y[i] = piece.p[i].y - origin_.y;
-  }
-  x_ = Format::start(x);
-  y_ = Format::start(y);
-  level_ = kFirstLevel;
-  rest_ = 1 << kFinest;
+  for (CurvePoint& p : piece.p) p = {p.x - origin_.x, p.y - origin_.y};
+  steps_ = Steps(piece.p);
+  steps_.settle(piece.p, Steps::kPixel);
+  rest_ = Steps::kWhole;
   return true;
 }
 
-void CurveWalk::fit_step() {
-  while (!within(x_.b1.value(), y_.b1.value(), kPixel)) {
-    CHECK(level_ < kFinest);
-    x_.halve();
-    y_.halve();
-    ++level_;
-  }
-  // A doubled step is 2 * b1 + b2; it may start only at its own multiples, so that the last one ends the piece.
-  while (level_ > kFirstLevel && (rest_ & ((2 << (kFinest - level_)) - 1)) == 0 &&
-         within(2 * x_.b1.value() + x_.b2.value(), 2 * y_.b1.value() + y_.b2.value(), kPixel)) {
-    x_.double_step();
-    y_.double_step();
-    --level_;
-  }
-}
-
 CurvePixel CurveWalk::pixel() const {
-  const auto floor_px = [](std::int32_t origin, Word<std::int32_t> b0) {
-    return static_cast<std::int16_t>((origin + (b0 >> Format::kFraction).value()) >> kSubpixel);
-  };
-  return {floor_px(origin_.x, x_.b0), floor_px(origin_.y, y_.b0)};
+  const CurvePoint at = steps_.at();
+  return {static_cast<std::int16_t>((origin_.x + at.x) >> kSubpixel),
+          static_cast<std::int16_t>((origin_.y + at.y) >> kSubpixel)};
 }
 
 bool CurveWalk::next(CurvePixel& out) {
@@ -95,10 +73,10 @@ bool CurveWalk::next(CurvePixel& out) {
   do {
     if (rest_ == 0 && !next_piece()) return false;
     if (!first) {
-      fit_step();
-      x_.step();
-      y_.step();
-      rest_ -= 1 << (kFinest - level_);
+      // A step may be doubled only at its own multiples, so that the last one ends the piece.
+      steps_.fit(Steps::kPixel, [this](int doubled) { return (rest_ & (doubled - 1)) == 0; });
+      steps_.step();
+      rest_ -= steps_.length();
     }
     ++points_;
     out = pixel();

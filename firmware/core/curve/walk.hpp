@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "core/curve/basis.hpp"
-#include "core/curve/cubic.hpp"
+#include "core/curve/adaptive_steps.hpp"
 
 namespace spanline {
 
@@ -36,8 +35,7 @@ class CurveWalk {
   // Three times the largest control leg is the longest that a curve can step: at most 2^kFinest px, so that steps at
   // the finest level are at most a pixel; the three legs together then keep a piece within as much of its first point.
   static constexpr std::int32_t kLongestLegs = std::int32_t{1} << (kFinest + kSubpixel);
-  using Format = CurveFormat<std::int32_t, kFinest + kSubpixel + 1, kFinest>;
-  static constexpr std::int32_t kPixel = std::int32_t{1} << (Format::kFraction + kSubpixel);
+  using Steps = AdaptiveSteps<std::int32_t, kFinest + kSubpixel + 1, kFinest, kSubpixel>;
 
   // Legs of 2 * kMaxCurve are halved, and rounded by a unit at most, until three of them are within kLongestLegs.
   static constexpr int kMaxCuts = 9;
@@ -50,14 +48,12 @@ class CurveWalk {
   static Piece cut(Piece& piece);  // leaves the first half, returns the second
 
   bool next_piece();
-  void fit_step();
   CurvePixel pixel() const;
 
   Piece waiting_[kMaxCuts + 1];  // the last one is walked next
   unsigned waiting_count_ = 1;
   CurvePoint origin_;  // the first point of the current piece, from which its registers count
-  CurveBasis<std::int32_t> x_, y_;
-  int level_ = kFirstLevel;
+  Steps steps_;
   int rest_ = 0;  // of the current piece, in steps of the finest level
   CurvePixel last_;
   std::uint32_t points_ = 0;

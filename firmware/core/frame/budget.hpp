@@ -29,13 +29,16 @@ struct Budget {
   std::uint16_t patch_facets = 0;     // of the facets that wait, those of patches: 8 bytes each, more
   std::uint16_t patch_vertices = 0;   // their corners and two rows of a patch's grid: 8 bytes each, 4 more with gouraud
   std::uint16_t patch_tolerance = 8;  // 1/16 px that an edge of a facet may be off the patch: 8 is half a pixel
-  bool gouraud = true;  // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
+  std::uint16_t curves = 0;           // pieces of curves in a band that wait for their first line: 6 bytes each
+  std::uint16_t strands = 0;  // y-monotone pieces of curves alive on one line, 96 bytes each; 0: curves are not drawn
+  bool gouraud = true;        // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
   // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, `facets`),
   // the place of every vertex (6 bytes each, `vertices`), the edges of one line, which may be shared by two faces (32
   // bytes each, `edges`), and some depth planes. For the other pools see above.
   Walker walker = Walker::segments;
-  // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes each.
-  // Powers of two less one, since one more of each is there. looks 0: 15 for the segment walker, 127 for the others.
+  // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes
+  // each. Powers of two less one, since one more of each is there. looks 0: 15 for the segment walker, 127 for the
+  // others.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
   ScanPolicy scan_out = ScanPolicy::full;  // ScanOutMemory: extents take 4 bytes a line, tiles 4 more for each tile

@@ -1,4 +1,5 @@
-// A frame: a scene seen by a camera, made line by line. This is the engine's front door.
+// A frame: a scene seen by a camera, made line by line; first its faces, then its curves over them in the order of
+// their numbers. This is the engine's front door.
 #pragma once
 
 #include "core/frame/mesh_frame.hpp"
@@ -28,7 +29,8 @@ class Frame {
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
 
   // Of the frame so far: what went wrong first. pool_exhausted means that a line needed more blocks than a pool has:
-  // the picture then lacks the highest face numbers there, from that line to the end of its band.
+  // the picture then lacks the highest face numbers there, from that line to the end of its band, or the highest curve
+  // numbers to their ends.
   const Status& status() const { return status_; }
 
   // Statistics where VsgOptions::statistics is set, NoStatistics otherwise.
@@ -55,6 +57,7 @@ class Frame {
     if constexpr (kOptions.walker == Walker::both) return mesh_.ready();
     return false;
   }
+  [[gnu::noinline]] void begin_curves(Band rest);  // keeps its registers off the stack of what comes after
   void read_vertices();
   FaceLook look_of(std::uint16_t face);
   bool mesh_line(std::uint16_t line);
@@ -101,6 +104,7 @@ class Frame {
   std::uint32_t lit_instance_ = UINT32_MAX;
   VisibleSegments<kOptions> vsg_;
   Painter painter_;
+  CurveLayer curves_;
   [[no_unique_address]] SpanTap tap_;
   Status status_;
   Band band_;                         // the one that prepare() returned; top: the next line

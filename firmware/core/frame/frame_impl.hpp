@@ -36,6 +36,7 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       smooth_(storage.smooth, storage.screen.format),
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
+      curves_(storage.curves, storage.screen),
       height_(storage.screen.height) {
   if constexpr (kOptions.patches) patches_ = PatchSource(storage.patches, storage.screen);
 }
@@ -68,12 +69,18 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   const bool had_segments = again && !has_mesh_lines();
   scene_ = scene;
   camera_ = camera;
+  begin_curves(rest);
   if constexpr (kOptions.walker == Walker::both) {
     if (!had_segments && mesh_.begin(scene_, camera_, rest.top).ok()) return band_ = rest;
   }
   if (!had_segments) read_vertices();
   band_ = {rest.top, plan(rest.top, rest.bottom)};
   return band_;
+}
+
+template <FrameOptions kOptions>
+void Frame<kOptions>::begin_curves(Band rest) {
+  note(curves_.begin(scene_, camera_, rest.top, rest.bottom));
 }
 
 template <FrameOptions kOptions>
@@ -196,6 +203,7 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   const std::uint16_t line = band_.top;
   painter_.begin_line(line, out.data(), scene_.scene().background);
   if (mesh_line(line)) {
+    note(curves_.draw(line, painter_));
     ++band_.top;
     return true;
   }
@@ -210,6 +218,7 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   Sink sink{painter_, tap_, *this};
   vsg_.run(line, sink);
   note(vsg_.status());
+  note(curves_.draw(line, painter_));
   ++band_.top;
   return true;
 }

@@ -14,7 +14,8 @@ Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t li
 template <bool kTaps, bool kStatistics>
 class MeshFrame {
  public:
-  explicit MeshFrame(const FrameStorage& storage) : screen_(storage.screen), mesh_(storage), painter_(storage.screen) {}
+  explicit MeshFrame(const FrameStorage& storage)
+      : screen_(storage.screen), mesh_(storage), painter_(storage.screen), curves_(storage.curves, storage.screen) {}
   MeshFrame(const MeshFrame&) = delete;
   MeshFrame& operator=(const MeshFrame&) = delete;
 
@@ -34,6 +35,7 @@ class MeshFrame {
   Screen screen_;
   MeshLines<kTaps> mesh_;
   Painter painter_;
+  CurveLayer curves_;
   [[no_unique_address]] SpanTap tap_;
   Status status_;
   Band band_;
@@ -46,9 +48,12 @@ Band MeshFrame<kTaps, kStatistics>::prepare(const SceneView& scene, const Camera
   Status status = check_band(rest, screen_);
   if (status.ok()) status = check_camera(camera);
   if (status.ok()) status = mesh_.begin(scene, camera, rest.top);
-  if (status.ok()) return band_ = rest;
+  if (status.ok()) {
+    status = curves_.begin(scene, camera, rest.top, rest.bottom);
+    band_ = rest;
+  }
   if (status_.ok()) status_ = status;
-  return {};
+  return band_;
 }
 
 template <bool kTaps, bool kStatistics>
@@ -60,6 +65,8 @@ bool MeshFrame<kTaps, kStatistics>::next_line(Slice<std::uint8_t> out) {
     status = mesh_.next(band_.top, painter_, tap_);
   }
   if (status.ok()) {
+    const Status& drawn = curves_.draw(band_.top, painter_);
+    if (status_.ok()) status_ = drawn;
     ++band_.top;
     return true;
   }

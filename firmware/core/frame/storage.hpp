@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/frame/budget.hpp"
+#include "core/frame/curve_overlay.hpp"
 #include "core/frame/patch_source.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/vsg/edge_walker.hpp"
@@ -35,6 +36,7 @@ struct FrameStorage {
   PatchStorage patches;
   MeshStorage mesh;
   SmoothStorage smooth;
+  CurveOverlay* curves = nullptr;  // null: curves are not drawn
 };
 
 // The pools of smooth triangles, where there are any.
@@ -51,6 +53,22 @@ template <std::uint16_t kLooks, std::uint16_t kTables>
 class SmoothPools<kLooks, kTables, false> {
  public:
   SmoothStorage storage() { return {}; }
+};
+
+template <Budget kBudget>
+class CurvePools {
+ public:
+  void add_to(FrameStorage& storage) {
+    overlay_.use({pieces_.ref(), buckets_.ref(), strands_.ref(), masks_.ref()});
+    storage.curves = &overlay_;
+  }
+
+ private:
+  Pool<WaitingPiece, kBudget.curves> pieces_;
+  Pool<std::uint16_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets_;
+  Pool<StrandBlock, kBudget.strands> strands_;
+  Pool<CoverageMask, kBudget.width> masks_;
+  CurveOverlay overlay_;
 };
 
 // The pools of patches, where there are any.
@@ -125,6 +143,9 @@ class MeshPools {
 struct NoPools {
   void add_to(FrameStorage&) {}
 };
+struct NoCurves {  // not NoPools, so that neither takes room
+  void add_to(FrameStorage&) {}
+};
 
 template <Budget kBudget>
 class FrameMemory {
@@ -136,6 +157,7 @@ class FrameMemory {
     FrameStorage storage{{kBudget.width, kBudget.height, kBudget.format}, {}, {}, {}, {}, {}, {}, smooth_.storage()};
     segments_.add_to(storage);
     mesh_.add_to(storage);
+    curves_.add_to(storage);
     return storage;
   }
 
@@ -146,6 +168,7 @@ class FrameMemory {
                                           : kBudget.walker == Walker::segments ? 15
                                                                                : 127;
   [[no_unique_address]] SmoothPools<kLooks, kBudget.tables, kBudget.gouraud> smooth_;
+  [[no_unique_address]] std::conditional_t<kBudget.strands == 0, NoCurves, CurvePools<kBudget>> curves_;
 };
 
 }  // namespace spanline

@@ -45,12 +45,17 @@ struct ClipMatrix {
   std::int32_t offset[3];     // Q16.16
   bool mirrored;              // the instance's transform turns fronts into clockwise
 
-  std::int32_t row(int i, const Position& p) const {
+  // Point: a Position, or what lies a little outside the positions: |x|, |y|, |z| < 2^24 mesh units.
+  template <typename Point>
+  std::int32_t row(int i, const Point& p) const {
     const std::int64_t sum = std::int64_t{linear[i][0]} * p.x + std::int64_t{linear[i][1]} * p.y +
                              std::int64_t{linear[i][2]} * p.z;  // Q17.31
     return saturate32(shift_round(sum, 15) + offset[i]);
   }
-  ClipPoint operator()(const Position& p) const { return {row(0, p), row(1, p), row(2, p)}; }
+  template <typename Point>
+  ClipPoint operator()(const Point& p) const {
+    return {row(0, p), row(1, p), row(2, p)};
+  }
 };
 
 // Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them

@@ -11,6 +11,7 @@ namespace spanline {
 
 inline constexpr std::uint32_t kMaxSceneFaces = 65535;     // face numbers are 16 bits, 65535 means none
 inline constexpr std::uint32_t kMaxSceneVertices = 65535;  // over all instances
+inline constexpr std::uint32_t kMaxSceneCurves = 65535;    // over all instances
 inline constexpr std::uint32_t kMaxLights = 4;
 inline constexpr std::int32_t kMaxWorld = 4096;  // |world coordinate| in units: leaves 3 bits of head-room in Q16.16
 
@@ -78,9 +79,44 @@ struct FanEdge {
   std::uint16_t twin;  // mesh face whose ring runs the other way
 };
 
-// Shared geometry. World position of a vertex = instance transform of (origin + unit * position), where unit is Q1.31
-// world units for one mesh unit. Groups follow each other by first_face without gaps, from 0 to face_count. The faces
-// of a mesh are all polygons or all patches. Patches have no normals in the record: they come from their shape.
+// A curve, drawn as a stroke of constant width on the screen, over all faces; unlit. Its points are MeshRecord::corners
+// [first_corner, + point_count), indices into positions.
+struct CurveRecord {
+  enum Kind : std::uint8_t {
+    kBezier,      // cubic pieces that share their ends: 3 n + 1 points, closed 3 n
+    kQuadratic,   // likewise: 2 n + 1 points, closed 2 n
+    kBSpline,     // uniform cubic: n + 3 points, closed n
+    kCatmullRom,  // runs through all points but the first and the last: n + 3 points, closed n
+  };
+  enum Flags : std::uint8_t {
+    kOpen = 0,
+    kClosed = 1,  // the last piece ends where the first begins
+    kSmooth = 2,  // anti-aliased; a width of 0 then is one pixel
+  };
+  static constexpr std::uint16_t kMaxWidth = 64 * 16;  // 1/16 px
+
+  std::uint32_t first_corner;
+  std::uint16_t point_count;
+  Kind kind;
+  std::uint8_t flags;
+  std::uint16_t width;     // 1/16 px, joins and ends are round; 0: the pixels that the curve runs through
+  std::uint16_t material;  // index into SceneRecord::materials
+
+  // How many cubic pieces the points make; 0 where their number is not one of the kind's.
+  constexpr std::uint32_t pieces() const {
+    const bool closed = (flags & kClosed) != 0;
+    if (kind == kBSpline || kind == kCatmullRom) {
+      return closed ? (point_count >= 3 ? point_count : 0) : (point_count >= 4 ? point_count - 3u : 0);
+    }
+    const std::uint32_t degree = kind == kBezier ? 3 : 2, legs = closed ? point_count : point_count - 1u;
+    return point_count != 0 && legs % degree == 0 ? legs / degree : 0;
+  }
+};
+
+// Shared geometry: faces, curves, or both. World position of a vertex = instance transform of (origin + unit *
+// position), where unit is Q1.31 world units for one mesh unit. Groups follow each other by first_face without gaps,
+// from 0 to face_count. The faces of a mesh are all polygons or all patches. Patches have no normals in the record:
+// they come from their shape.
 struct MeshRecord {
   const char* name;
   Slice<const Position> positions;
@@ -96,8 +132,9 @@ struct MeshRecord {
   // fans, in order of face and twin. Both empty: the mesh has no fans.
   Slice<const std::uint16_t> fan_starts = {};
   Slice<const FanEdge> fans = {};
+  Slice<const CurveRecord> curves = {};
 
-  bool of_patches() const { return groups[0].contour_count == FaceGroup::kPatches; }
+  bool of_patches() const { return !groups.empty() && groups[0].contour_count == FaceGroup::kPatches; }
 };
 
 // World = matrix * mesh + translation. Rows of the matrix are x, y, z; Q16.16.

@@ -106,6 +106,20 @@ Status check_fans(const MeshRecord& mesh, std::uint32_t index) {
   return sides == wanted ? Status{} : bad("MeshRecord", "fans", index, sides, wanted);
 }
 
+Status check_curve(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t index) {
+  const CurveRecord& curve = mesh.curves[index];
+  if (curve.kind > CurveRecord::kCatmullRom) return bad("CurveRecord", "kind", index, curve.kind);
+  if (curve.pieces() == 0) return bad("CurveRecord", "point_count", index, curve.point_count);
+  const std::uint64_t end = std::uint64_t{curve.first_corner} + curve.point_count;
+  if (end > mesh.corners.size())
+    return bad("CurveRecord", "first_corner", index, curve.first_corner, mesh.corners.size());
+  if (curve.width > CurveRecord::kMaxWidth)
+    return bad("CurveRecord", "width", index, curve.width, CurveRecord::kMaxWidth);
+  if (curve.material >= scene.materials.size())
+    return bad("CurveRecord", "material", index, curve.material, scene.materials.size());
+  return {};
+}
+
 // What a mesh's normals allow as materials.
 Status check_material(const MeshRecord& mesh, const MaterialRecord& material, const char* record, std::uint32_t index) {
   const bool normals =
@@ -138,7 +152,12 @@ Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
     if (!status.ok()) return status;
     faces += mesh.groups[g].face_count;
   }
-  if (faces == 0 || faces != mesh.face_count) return bad("MeshRecord", "face_count", index, mesh.face_count, faces);
+  for (std::uint32_t c = 0; c < mesh.curves.size(); ++c) {
+    const Status status = check_curve(scene, mesh, c);
+    if (!status.ok()) return status;
+  }
+  const bool empty = faces == 0 && mesh.curves.empty();
+  if (empty || faces != mesh.face_count) return bad("MeshRecord", "face_count", index, mesh.face_count, faces);
   return check_fans(mesh, index);
 }
 
@@ -190,7 +209,7 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
     const Status status = check_mesh(scene, i);
     if (!status.ok()) return status;
   }
-  std::uint32_t faces = 0, vertices = 0;
+  std::uint32_t faces = 0, vertices = 0, curves = 0;
   bool has_patches = false;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Status status = check_instance(scene, i);
@@ -198,6 +217,8 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
     faces += scene.meshes[scene.instances[i].mesh].face_count;
     vertices += scene.meshes[scene.instances[i].mesh].positions.size();
     has_patches = has_patches || scene.meshes[scene.instances[i].mesh].of_patches();
+    curves += scene.meshes[scene.instances[i].mesh].curves.size();
+    if (curves > kMaxSceneCurves) return bad("SceneRecord", "instances (curves)", i, curves, kMaxSceneCurves);
     if (faces > kMaxSceneFaces) return bad("SceneRecord", "instances (faces)", i, faces, kMaxSceneFaces);
     if (vertices > kMaxSceneVertices) return bad("SceneRecord", "instances (vertices)", i, vertices, kMaxSceneVertices);
   }
@@ -205,6 +226,7 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   view.face_count_ = static_cast<std::uint16_t>(faces);
   view.vertex_count_ = static_cast<std::uint16_t>(vertices);
   view.has_patches_ = has_patches;
+  view.curve_count_ = static_cast<std::uint16_t>(curves);
   return {};
 }
 

@@ -21,12 +21,14 @@ class SceneView {
   std::uint16_t face_count() const { return face_count_; }      // over all instances, hidden ones too
   bool has_patches() const { return has_patches_; }             // some instance is of patches
   std::uint16_t vertex_count() const { return vertex_count_; }  // over all instances
+  std::uint16_t curve_count() const { return curve_count_; }    // over all instances, hidden ones too
 
  private:
   const SceneRecord* scene_ = nullptr;
   std::uint16_t face_count_ = 0;
   std::uint16_t vertex_count_ = 0;
   bool has_patches_ = false;
+  std::uint16_t curve_count_ = 0;
 };
 
 }  // namespace spanline

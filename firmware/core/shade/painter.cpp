@@ -8,6 +8,8 @@ namespace spanline {
 
 namespace {
 
+constexpr std::uint32_t kAllSamples = 16;  // of a pixel
+
 void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint16_t pixel) {
   const std::uint32_t pair = std::uint32_t{pixel} << 16 | pixel;
   auto* at = reinterpret_cast<HalfPixels*>(line) + left;
@@ -25,6 +27,18 @@ void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std
 
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint32_t part, std::uint32_t whole) {
   return static_cast<std::uint8_t>((a * (whole - part) + b * part + whole / 2) / whole);
+}
+
+// (color * part + pixel * (16 - part)) / 16 in each channel of an RGB565 pixel in wire order.
+std::uint16_t mix_wire(std::uint16_t pixel, const Rgb8& color, std::uint32_t part) {
+  const std::uint32_t v = std::uint32_t{pixel} >> 8 | (std::uint32_t{pixel} & 0xffu) << 8;
+  const auto channel = [=](std::uint32_t old, std::uint8_t fresh) {
+    return mix(static_cast<std::uint8_t>(old), fresh, part, kAllSamples);
+  };
+  // What a panel shows of 5 or 6 bits has their upper ones repeated below.
+  return rgb565_wire(channel((v >> 8 & 0xf8u) | (v >> 13 & 7u), color.r),
+                     channel((v >> 3 & 0xfcu) | (v >> 9 & 3u), color.g),
+                     channel((v << 3 & 0xf8u) | (v >> 2 & 7u), color.b));
 }
 
 // One channel (or a weighted sum of them) of an edge at a line, Q8.7.
@@ -118,6 +132,39 @@ void Painter::put_grey(std::uint32_t x, std::uint32_t grey) {
     }
     default:
       out_[x] = static_cast<std::uint8_t>(grey);
+  }
+}
+
+void Painter::cover(const Rgb8& color, LineCoverage& coverage) {
+  const std::uint32_t payload = flat_payload(screen_.format, color);
+  auto* const pixels = reinterpret_cast<HalfPixels*>(out_);
+  coverage.take([&](std::uint32_t x, std::uint32_t part) {
+    if (screen_.format != PixelFormat::rgb565) return cover_grey(x, payload, part);
+    pixels[x] = part == kAllSamples ? static_cast<std::uint16_t>(payload) : mix_wire(pixels[x], color, part);
+  });
+}
+
+// Changes one pixel among those that share a byte; where its level is dithered, so is the new one.
+void Painter::cover_grey(std::uint32_t x, std::uint32_t grey, std::uint32_t part) {
+  const auto mixed = [=](std::uint32_t old) {
+    return mix(static_cast<std::uint8_t>(old), static_cast<std::uint8_t>(grey), part, kAllSamples);
+  };
+  const auto put = [this](std::uint32_t at, std::uint32_t bits, std::uint32_t level, std::uint32_t up) {
+    out_[at] = static_cast<std::uint8_t>((out_[at] & ~(bits << up)) | level << up);
+  };
+  switch (screen_.format) {
+    case PixelFormat::grey4: {
+      const std::uint32_t up = (x & 1u) != 0 ? 0 : 4, old = (std::uint32_t{out_[x / 2]} >> up & 15u) * 17;
+      put(x / 2, 15, dither_grey4(mixed(old), x, line_), up);
+      break;
+    }
+    case PixelFormat::mono1: {
+      const std::uint32_t up = 7 - (x & 7u), old = (std::uint32_t{out_[x / 8]} >> up & 1u) * 255;
+      put(x / 8, 1, dither_mono(mixed(old), x, line_), up);
+      break;
+    }
+    default:
+      out_[x] = mixed(out_[x]);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/slice.hpp"
+#include "core/curve/line_coverage.hpp"
 #include "core/geom/screen.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/shade/pixel.hpp"
@@ -28,11 +29,16 @@ class Painter {
   std::uint8_t* out() const { return out_; }                // the line
   std::uint16_t background() const { return background_; }  // of the line
 
+  // Paints what `coverage` holds of this line over its pixels, and takes it out of there: with c of 16 samples covered
+  // a pixel becomes (color * c + pixel * (16 - c)) / 16. Where pixels are dithered, this is dithered again.
+  void cover(const Rgb8& color, LineCoverage& coverage);
+
  private:
   void gouraud(const VisibleSpan& span);
   void gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
   void gouraud_grey(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
   void put_grey(std::uint32_t x, std::uint32_t grey);
+  void cover_grey(std::uint32_t x, std::uint32_t grey, std::uint32_t part);
 
   Screen screen_;
   std::uint8_t* out_ = nullptr;

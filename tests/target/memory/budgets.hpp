@@ -25,7 +25,7 @@ inline constexpr Budget k8K{.band_lines = 16,
                             .edges = 4,
                             .segments = 51,
                             .active = 6,
-                            .samples = 16,
+                            .samples = 8,
                             .implied = 0,
                             .gouraud = false};
 
