@@ -13,7 +13,7 @@ struct Reading {
   bool main = false;
 
   void begin_piece(std::uint16_t source, const Plane& plane) {
-    pieces.push_back({source, plane, {}, {}});
+    pieces.push_back({source, plane, {}, {}, {}});
     main = true;
   }
   void film(std::uint16_t source) { pieces.back().films.push_back(source); }
@@ -24,7 +24,7 @@ struct Reading {
   }
   void vertex(GridPoint p) { ring->push_back({p.x, p.y}); }
   void end_contour() {}
-  void end_piece() {}
+  void end_piece() { pieces.back().rings = rings_of(Polygons{pieces.back().polygon}); }
 };
 
 }  // namespace
@@ -73,9 +73,7 @@ Sorted sort(const oracle::SortScene& scene, const std::vector<std::uint16_t>& tr
 
 AreaRegion rings_of(const VisiblePieces& pieces) {
   AreaRegion region;
-  for (const VisiblePiece& piece : pieces) {
-    for (AreaRing& ring : rings_of(Polygons{piece.polygon})) region.push_back(std::move(ring));
-  }
+  for (const VisiblePiece& piece : pieces) region.insert(region.end(), piece.rings.begin(), piece.rings.end());
   return region;
 }
 
@@ -96,14 +94,13 @@ std::string flaw(const VisiblePieces& pieces) {
 int seen_at(const VisiblePieces& pieces, AreaPoint p, double reach, bool& doubtful) {
   int seen = -1;
   for (const VisiblePiece& piece : pieces) {
-    const AreaRegion region = rings_of(Polygons{piece.polygon});
-    for (const AreaRing& ring : region) {
+    for (const AreaRing& ring : reach > 0 ? piece.rings : AreaRegion{}) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         if (distance(p, ring[i], ring[(i + 1) % ring.size()]) <= reach) doubtful = true;
       }
     }
     bool on_border = false;
-    if (oracle::covers(region, {2 * p.x, 2 * p.y}, on_border)) seen = piece.source;
+    if (oracle::covers(piece.rings, {2 * p.x, 2 * p.y}, on_border)) seen = piece.source;
   }
   return seen;
 }

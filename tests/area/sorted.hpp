@@ -14,6 +14,7 @@ struct VisiblePiece {
   Plane plane;
   std::vector<std::uint16_t> films;  // from front to back
   Polygon polygon;
+  AreaRegion rings;  // the same, as one region
 };
 using VisiblePieces = std::vector<VisiblePiece>;
 

@@ -46,7 +46,7 @@ Windowed sort_in_windows(const oracle::SortScene& scene, const SortPools& pools,
     bool main = false;
     AreaRing* ring = nullptr;
     void begin_piece(std::uint16_t source, const Plane& plane) {
-      pieces.push_back({source, plane, {}, {}});
+      pieces.push_back({source, plane, {}, {}, {}});
       main = true;
     }
     void film(std::uint16_t source) { pieces.back().films.push_back(source); }
@@ -57,7 +57,7 @@ Windowed sort_in_windows(const oracle::SortScene& scene, const SortPools& pools,
     }
     void vertex(GridPoint p) { ring->push_back({p.x, p.y}); }
     void end_contour() {}
-    void end_piece() {}
+    void end_piece() { pieces.back().rings = rings_of(Polygons{pieces.back().polygon}); }
   };
   Windowed solved;
   Sink sink{solved.pieces};

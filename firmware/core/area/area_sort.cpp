@@ -5,7 +5,7 @@ namespace spanline::area {
 void SortCounts::add(const SortCounts& other) {
   constexpr std::uint32_t SortCounts::*kDone[] = {
       &SortCounts::clips,      &SortCounts::pairs,  &SortCounts::depth_tests, &SortCounts::pierced,
-      &SortCounts::recursions, &SortCounts::cyclic, &SortCounts::dropped};
+      &SortCounts::recursions, &SortCounts::cyclic, &SortCounts::dropped,     &SortCounts::details};
   constexpr std::uint16_t SortCounts::*kMost[] = {&SortCounts::polygons, &SortCounts::borders, &SortCounts::pieces,
                                                   &SortCounts::films, &SortCounts::frames};
   for (const auto done : kDone) this->*done += other.*done;
@@ -129,14 +129,25 @@ bool AreaSort::keep_inside(std::uint16_t index) {
 // No two polygons pierce each other, so a piece lies on one side of the clip polygon; borders that were rounded may
 // reach across their line by a unit, hence the corner that lies farthest off decides.
 bool AreaSort::nearer(const Piece& piece, std::uint16_t clip) const {
-  const Plane &front = polygon_of(piece).plane, &back = pools_.polygons[clip].plane;
+  const NamedPolygon &front = polygon_of(piece), &back = pools_.polygons[clip];
   std::int64_t before = 0, behind = 0;
   borders_.each(piece.border, [&](const BorderEdge& edge) {
-    const std::int64_t lead = front.value(edge.from) - back.value(edge.from);
+    const std::int64_t lead = value(front, edge.from) - value(back, edge.from);
     if (lead > before) before = lead;
     if (-lead > behind) behind = -lead;
   });
-  return before != behind ? before > behind : polygon_of(piece).source < pools_.polygons[clip].source;
+  return before != behind ? before > behind : front.source < back.source;
+}
+
+// What is seen of a convex solid lies on the farthest of its planes.
+std::int64_t AreaSort::value(const NamedPolygon& polygon, GridPoint p) const {
+  if (!polygon.silhouette) return polygon.plane.value(p);
+  std::int64_t least = INT64_MAX;
+  for (std::uint16_t i = 0; i < polygon.members; ++i) {
+    const std::int64_t value = pools_.polygons[polygon.first_member + i].plane.value(p);
+    if (value < least) least = value;
+  }
+  return least;
 }
 
 // The area of the clip polygon is finished: what is left is visible, and the list goes on with what it cut off.
@@ -144,17 +155,46 @@ bool AreaSort::show_and_pop() {
   SortFrame& frame = pools_.frames[depth_--];
   for (std::uint16_t i = frame.inside.first; i != 0;) {
     const std::uint16_t next = pieces_[i].next;
-    if (polygon_of(pieces_[i]).source == kBackdrop && pieces_[i].films == 0) {
-      release(i);
-    } else {
-      if (!sort_films(pieces_[i])) return false;
-      append(visible_, i);
-    }
+    if (!show(i)) return false;
     i = next;
   }
   if (depth_ == 0) return true;
   pools_.polygons[frame.clip].on_stack = false;
   pools_.frames[depth_].inside = frame.outside;
+  return true;
+}
+
+bool AreaSort::show(std::uint16_t index) {
+  const NamedPolygon& polygon = polygon_of(pieces_[index]);
+  if (polygon.source == kBackdrop && pieces_[index].films == 0) {
+    release(index);
+    return true;
+  }
+  if (!sort_films(pieces_[index])) return false;
+  if (polygon.silhouette) return show_members(index);
+  append(visible_, index);
+  return true;
+}
+
+// The members cut out of a visible piece of their silhouette.
+bool AreaSort::show_members(std::uint16_t index) {
+  const NamedPolygon& silhouette = polygon_of(pieces_[index]);
+  for (std::uint16_t i = 0; i < silhouette.members; ++i) {
+    const auto name = static_cast<std::uint16_t>(silhouette.first_member + i);
+    const NamedPolygon& member = pools_.polygons[name];
+    const Piece& piece = pieces_[index];
+    if (!piece.bounds.overlaps(member.bounds)) continue;
+    ++counts_.details;
+    clipper_.clear();
+    borders_.each(member.border, [&](const BorderEdge& edge) { clipper_.edge(Role::subject, edge.from, edge.to); });
+    borders_.each(piece.border, [&](const BorderEdge& edge) { clipper_.edge(Role::clip, edge.from, edge.to); });
+    if (const Status status = clipper_.clip(); !status.ok()) {
+      return exhausted(status.where, static_cast<std::uint16_t>(status.limit), member.source);
+    }
+    const Piece like{{}, {}, name, piece.films, 0};
+    if (!take_pieces(List::inside, like, visible_)) return false;
+  }
+  release(index);
   return true;
 }
 

@@ -33,7 +33,13 @@ struct NamedPolygon {
   Box bounds;
   std::uint16_t source;
   Opacity opacity;
-  bool on_stack;  // is a clip polygon whose area is not finished
+  bool on_stack;              // is a clip polygon whose area is not finished
+  std::uint16_t group = 0;    // of a member of a consolidated object and of its silhouette; 0: none
+  std::uint16_t members = 0;  // of a silhouette, how many
+  std::uint16_t first_member = 0;
+  bool silhouette = false;
+
+  bool hides_others() const { return group == 0 || silhouette; }  // takes part in the sort
 };
 
 // A part of a polygon.
@@ -90,6 +96,7 @@ struct SortCounts {
   std::uint32_t recursions = 0;   // errors of the first sort
   std::uint32_t cyclic = 0;       // polygons in front of the clip polygon whose name was on the stack
   std::uint32_t dropped = 0;      // polygons without area
+  std::uint32_t details = 0;      // runs of the clipper that cut members out of a visible silhouette
   std::uint16_t polygons = 0, borders = 0, pieces = 0, films = 0, frames = 0;  // most blocks in use at once
 
   // Another sort's: what was done adds up, of blocks the larger number stays.
@@ -113,6 +120,12 @@ class AreaSort {
   void vertex(std::int32_t x, std::int32_t y, std::int32_t depth);
   void end_contour();
   void end_polygon();
+
+  // What is put in between is what is seen of one convex solid: opaque polygons that do not overlap. One silhouette
+  // polygon stands for all of them, and they are cut out of its pieces when those are shown (the seed's consolidation).
+  // Where something pierces one of them they are sorted one by one.
+  void begin_group();
+  void end_group();
 
   // Sorts. Not ok: bad_argument (field "x", "y" or "depth") or pool_exhausted (where: the pool; index: the source of
   // the polygon that asked for more; limit: its capacity), and then there are no pieces.
@@ -140,7 +153,9 @@ class AreaSort {
   bool pierce(std::uint16_t one, std::uint16_t other);
   bool split(std::uint16_t name, const Line& line);
   void share_meetings(std::uint16_t name, const Line& line);
+  void dissolve(std::uint16_t group);
   bool settle();
+  void order_by_depth();
   bool make_pieces();
   bool resolve(std::uint16_t name);
 
@@ -151,6 +166,9 @@ class AreaSort {
   bool keep_inside(std::uint16_t piece);
   bool show_and_pop();
   bool nearer(const Piece& piece, std::uint16_t clip) const;
+  std::int64_t value(const NamedPolygon& polygon, GridPoint p) const;
+  bool show(std::uint16_t piece);
+  bool show_members(std::uint16_t piece);
   bool sort_films(Piece& piece);
   bool take_pieces(List list, const Piece& like, PieceList& to);
   void append(PieceList& list, std::uint16_t piece);
@@ -167,7 +185,9 @@ class AreaSort {
   Box window_;
   Status status_;
   SortCounts counts_;
-  bool translucent_ = false;  // some polygon is
+  bool translucent_ = false;              // some polygon is
+  std::uint16_t group_ = 0, groups_ = 0;  // the group being put in, and how many there have been
+  Border silhouette_;                     // of that group: edges that two members share cancel
 
   // The polygon being put in.
   std::uint16_t source_ = 0;

@@ -20,6 +20,7 @@ void AreaSort::clear(const Box& window) {
   status_ = {};
   counts_ = {};
   translucent_ = false;
+  group_ = groups_ = 0;
 }
 
 void AreaSort::refuse(const char* field, std::int32_t value, std::int32_t limit) {
@@ -95,8 +96,28 @@ void AreaSort::end_polygon() {
   if (!flat) cut_to(borders_, border_, window_);
   if (!borders_fit(source_) || !status_.ok()) return;
   if (flat || border_.first == 0) return borders_.release(border_);
-  add_polygon(source_, Plane::through(plane_at_, plane_depth_), opacity_, border_);
   translucent_ |= opacity_ == Opacity::translucent;
+  const std::uint16_t name = add_polygon(source_, Plane::through(plane_at_, plane_depth_), opacity_, border_);
+  if (group_ == 0 || name == 0) return;
+  CHECK(opacity_ == Opacity::opaque);
+  pools_.polygons[name].group = group_;
+  borders_.join(silhouette_, borders_.copy(border_));
+}
+
+void AreaSort::begin_group() {
+  group_ = ++groups_;
+  silhouette_ = {};
+}
+
+// The silhouette has no plane: its depth is its members'.
+void AreaSort::end_group() {
+  const std::uint16_t source = polygons_ != 0 ? pools_.polygons[polygons_].source : kBackdrop;
+  if (silhouette_.first != 0 && borders_fit(source) && status_.ok()) {
+    const std::uint16_t name = add_polygon(source, {}, Opacity::opaque, silhouette_);
+    pools_.polygons[name].group = group_;
+    pools_.polygons[name].silhouette = true;
+  }
+  group_ = 0;
 }
 
 std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Opacity opacity, const Border& border) {
@@ -104,7 +125,7 @@ std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Op
     exhausted("polygons", polygons_, source);
     return 0;
   }
-  pools_.polygons[++polygons_] = {plane, 0, border, borders_.bounds(border), source, opacity, false};
+  pools_.polygons[++polygons_] = {plane, 0, border, borders_.bounds(border), source, opacity, false, 0, 0, 0, false};
   counts_.polygons = polygons_;
   return polygons_;
 }
@@ -185,19 +206,46 @@ bool AreaSort::resolve(std::uint16_t name) {
   return true;
 }
 
-bool AreaSort::make_pieces() {
+// Members of groups follow what is sorted, group by group.
+void AreaSort::order_by_depth() {
   for (std::uint16_t name = 1; name <= polygons_; ++name) {
     NamedPolygon& polygon = pools_.polygons[name];
     polygon.nearest = INT64_MIN;
+    if (polygon.silhouette) continue;
     borders_.each_end(polygon.border, [&](GridPoint p) {
       const std::int64_t value = polygon.plane.value(p);
       if (value > polygon.nearest) polygon.nearest = value;
     });
   }
   sort_blocks(pools_.polygons, polygons_, [](const NamedPolygon& a, const NamedPolygon& b) {
+    if (a.hides_others() != b.hides_others()) return a.hides_others();
+    if (!a.hides_others() && a.group != b.group) return a.group < b.group;
     return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
   });
-  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+}
+
+bool AreaSort::make_pieces() {
+  order_by_depth();
+  std::uint16_t member = 1;
+  while (member <= polygons_ && pools_.polygons[member].hides_others()) ++member;
+  const std::uint16_t first = member;
+  for (std::uint16_t name = 1; name < first; ++name) {
+    NamedPolygon& polygon = pools_.polygons[name];
+    if (!polygon.silhouette) continue;
+    std::uint16_t i = first;
+    while (pools_.polygons[i].group != polygon.group) ++i;
+    polygon.first_member = i;
+    polygon.members = 0;
+    for (; i <= polygons_ && pools_.polygons[i].group == polygon.group; ++i) {
+      ++polygon.members;
+      if (pools_.polygons[i].nearest > polygon.nearest) polygon.nearest = pools_.polygons[i].nearest;
+    }
+  }
+  // The silhouettes have found their place only now.
+  sort_blocks(pools_.polygons, static_cast<std::uint16_t>(first - 1), [](const NamedPolygon& a, const NamedPolygon& b) {
+    return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
+  });
+  for (std::uint16_t name = 1; name < first; ++name) {
     if (!resolve(name)) return false;
   }
   return true;

@@ -30,10 +30,25 @@ bool share_a_piece(const Borders& borders, const Border& one, const Border& othe
 bool AreaSort::pierce_all() {
   for (std::uint16_t one = 1; one < polygons_; ++one) {
     for (std::uint16_t other = static_cast<std::uint16_t>(one + 1); other <= polygons_; ++other) {
-      if (pools_.polygons[one].bounds.overlaps(pools_.polygons[other].bounds) && !pierce(one, other)) return false;
+      const NamedPolygon &a = pools_.polygons[one], &b = pools_.polygons[other];
+      if (a.silhouette || b.silhouette || (a.group != 0 && a.group == b.group)) continue;
+      if (a.bounds.overlaps(b.bounds) && !pierce(one, other)) return false;
     }
   }
   return true;
+}
+
+// The members of a group are polygons like any other from now on.
+void AreaSort::dissolve(std::uint16_t group) {
+  for (std::uint16_t i = 1; group != 0 && i <= polygons_; ++i) {
+    NamedPolygon& polygon = pools_.polygons[i];
+    if (polygon.group != group) continue;
+    polygon.group = 0;
+    if (!polygon.silhouette) continue;
+    polygon.silhouette = false;
+    borders_.release(polygon.border);
+    polygon.bounds = Box::none();
+  }
 }
 
 bool AreaSort::pierce(std::uint16_t one, std::uint16_t other) {
@@ -47,6 +62,8 @@ bool AreaSort::pierce(std::uint16_t one, std::uint16_t other) {
   if (!borders_fit(a.source)) return false;
   if (!shared) return true;
   ++counts_.pierced;
+  dissolve(a.group);
+  dissolve(b.group);
   return split(one, line) && split(other, line);
 }
 
