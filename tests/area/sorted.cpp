@@ -5,29 +5,6 @@
 #include <memory>
 
 namespace spanline::area::test {
-namespace {
-
-struct Reading {
-  VisiblePieces& pieces;
-  AreaRing* ring = nullptr;
-  bool main = false;
-
-  void begin_piece(std::uint16_t source, const Plane& plane) {
-    pieces.push_back({source, plane, {}, {}, {}});
-    main = true;
-  }
-  void film(std::uint16_t source) { pieces.back().films.push_back(source); }
-  void begin_contour() {
-    Polygon& polygon = pieces.back().polygon;
-    ring = main ? &polygon.main : &polygon.holes.emplace_back();
-    main = false;
-  }
-  void vertex(GridPoint p) { ring->push_back({p.x, p.y}); }
-  void end_contour() {}
-  void end_piece() { pieces.back().rings = rings_of(Polygons{pieces.back().polygon}); }
-};
-
-}  // namespace
 
 double distance(AreaPoint at, AreaPoint a, AreaPoint b) {
   const double x = static_cast<double>(at.x - a.x), y = static_cast<double>(at.y - a.y);
@@ -38,7 +15,7 @@ double distance(AreaPoint at, AreaPoint a, AreaPoint b) {
 
 VisiblePieces read(const AreaSort& sort) {
   VisiblePieces pieces;
-  Reading reading{pieces};
+  Reading reading{&pieces};
   sort.read(reading);
   return pieces;
 }

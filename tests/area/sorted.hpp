@@ -24,6 +24,27 @@ struct Sorted {
   VisiblePieces pieces;
 };
 
+// The sink that fills them.
+struct Reading {
+  VisiblePieces* pieces;
+  AreaRing* ring = nullptr;
+  bool main = false;
+
+  void begin_piece(std::uint16_t source, const Plane& plane) {
+    pieces->push_back({source, plane, {}, {}, {}});
+    main = true;
+  }
+  void film(std::uint16_t source) { pieces->back().films.push_back(source); }
+  void begin_contour() {
+    Polygon& polygon = pieces->back().polygon;
+    ring = main ? &polygon.main : &polygon.holes.emplace_back();
+    main = false;
+  }
+  void vertex(GridPoint p) { ring->push_back({p.x, p.y}); }
+  void end_contour() {}
+  void end_piece() { pieces->back().rings = rings_of(Polygons{pieces->back().polygon}); }
+};
+
 // Reads what a sort has solved.
 VisiblePieces read(const AreaSort& sort);
 

@@ -41,26 +41,8 @@ Windowed sort_in_windows(const oracle::SortScene& scene, const SortPools& pools,
   limited.limit(names);
   AreaSort sort(pools);
   WindowSort<Store> windows(sort, limited, most);
-  struct Sink {
-    VisiblePieces& pieces;
-    bool main = false;
-    AreaRing* ring = nullptr;
-    void begin_piece(std::uint16_t source, const Plane& plane) {
-      pieces.push_back({source, plane, {}, {}, {}});
-      main = true;
-    }
-    void film(std::uint16_t source) { pieces.back().films.push_back(source); }
-    void begin_contour() {
-      Polygon& polygon = pieces.back().polygon;
-      ring = main ? &polygon.main : &polygon.holes.emplace_back();
-      main = false;
-    }
-    void vertex(GridPoint p) { ring->push_back({p.x, p.y}); }
-    void end_contour() {}
-    void end_piece() { pieces.back().rings = rings_of(Polygons{pieces.back().polygon}); }
-  };
   Windowed solved;
-  Sink sink{solved.pieces};
+  Reading sink{&solved.pieces};
   solved.status = windows.solve(Store(scene), kScreen, sink);
   solved.counts = windows.counts();
   return solved;

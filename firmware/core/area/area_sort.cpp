@@ -141,7 +141,7 @@ bool AreaSort::nearer(const Piece& piece, std::uint16_t clip) const {
 
 // What is seen of a convex solid lies on the farthest of its planes.
 std::int64_t AreaSort::value(const NamedPolygon& polygon, GridPoint p) const {
-  if (!polygon.silhouette) return polygon.plane.value(p);
+  if (!polygon.silhouette || polygon.source == kBackdrop) return polygon.plane.value(p);
   std::int64_t least = INT64_MAX;
   for (std::uint16_t i = 0; i < polygon.members; ++i) {
     const std::int64_t value = pools_.polygons[polygon.first_member + i].plane.value(p);
@@ -166,7 +166,7 @@ bool AreaSort::show_and_pop() {
 
 bool AreaSort::show(std::uint16_t index) {
   const NamedPolygon& polygon = polygon_of(pieces_[index]);
-  if (polygon.source == kBackdrop && pieces_[index].films == 0) {
+  if (polygon.source == kBackdrop && !polygon.silhouette && pieces_[index].films == 0) {
     release(index);
     return true;
   }

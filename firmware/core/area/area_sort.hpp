@@ -23,6 +23,8 @@ namespace spanline::area {
 
 inline constexpr std::uint16_t kBackdrop = 0xffff;  // the source of pieces with films and nothing opaque behind them
 
+inline constexpr std::uint16_t kBackdropGroup = 0xffff;
+
 enum class Opacity : std::uint8_t { opaque, translucent };
 
 // A polygon under its name (its index), whose border is the original copy that others are clipped to.
@@ -103,19 +105,26 @@ struct SortCounts {
   void add(const SortCounts& other);
 };
 
+// What lies from `low` on and before `high`, depths.
+struct Slab {
+  std::int32_t low = 0, high = kMaxDepth + 1;
+};
+
 class AreaSort {
  public:
   AreaSort() = default;
   explicit AreaSort(const SortPools& pools);
 
-  // Begins anew. What lies outside of the window is cut away.
-  void clear(const Box& window = Box::all());
+  // Begins anew. What lies outside of the window and of the slab is cut away.
+  void clear(const Box& window = Box::all(), const Slab& slab = {});
 
   // A plane polygon: concave, with holes, even-odd; contours in any direction and order. Its plane is that of the three
   // of its corners that span (nearly) the largest triangle. `source` (below kBackdrop) is its name outside, and decides
   // where depths are equal: the lower one is in front. Coordinates within ±kMaxCoordinate, depth within 0 … kMaxDepth,
   // larger is nearer. The order of the polygons changes nothing in the result.
   void begin_polygon(std::uint16_t source, Opacity opacity = Opacity::opaque);
+  // The same in a plane that is known; the depths of its vertices are not looked at.
+  void begin_polygon(std::uint16_t source, const Plane& plane);
   void begin_contour() { corners_ = 0; }
   void vertex(std::int32_t x, std::int32_t y, std::int32_t depth);
   void end_contour();
@@ -126,6 +135,11 @@ class AreaSort {
   // Where something pierces one of them they are sorted one by one.
   void begin_group();
   void end_group();
+
+  // Polygons put in between are a backdrop: they lie behind everything else, do not overlap, and are shown where
+  // nothing else is. Their planes do not matter to the sort. At most once, and not with translucent polygons.
+  void begin_backdrop();
+  void end_backdrop();
 
   // Sorts. Not ok: bad_argument (field "x", "y" or "depth") or pool_exhausted (where: the pool; index: the source of
   // the polygon that asked for more; limit: its capacity), and then there are no pieces.
@@ -147,8 +161,11 @@ class AreaSort {
   bool borders_fit(std::uint16_t source);
 
   std::uint16_t add_polygon(std::uint16_t source, const Plane& plane, Opacity opacity, const Border& border);
-  void add_backdrop();
+  std::uint16_t add_backdrop();
+  bool cut_to_slab(const Plane& plane);
+  bool cut_at(const Plane& plane, std::int32_t depth, bool keep_nearer);
   void sort_by_source();
+  bool can_pierce(const NamedPolygon& polygon) const;
   bool pierce_all();
   bool pierce(std::uint16_t one, std::uint16_t other);
   bool split(std::uint16_t name, const Line& line);
@@ -183,6 +200,7 @@ class AreaSort {
   std::uint16_t polygons_ = 0, depth_ = 0;
   PieceList visible_;
   Box window_;
+  Slab slab_;
   Status status_;
   SortCounts counts_;
   bool translucent_ = false;              // some polygon is
@@ -197,6 +215,8 @@ class AreaSort {
   std::uint32_t corners_ = 0, plane_corners_ = 0;  // of the contour; of the triangle for the plane
   GridPoint plane_at_[3];
   std::int32_t plane_depth_[3];
+  Plane given_plane_;
+  bool plane_given_ = false;
 };
 
 template <typename Sink>

@@ -4,19 +4,19 @@
 #include "core/area/sort.hpp"
 
 namespace spanline::area {
-
 AreaSort::AreaSort(const SortPools& pools)
     : pools_(pools), clipper_(pools.clipper), borders_(pools.borders), pieces_(pools.pieces), films_(pools.films) {
   pools_.polygons.limit(UINT16_MAX - 1);
 }
 
-void AreaSort::clear(const Box& window) {
+void AreaSort::clear(const Box& window, const Slab& slab) {
   borders_.clear();
   pieces_.clear();
   films_.clear();
   polygons_ = depth_ = 0;
   visible_ = {};
   window_ = window;
+  slab_ = slab;
   status_ = {};
   counts_ = {};
   translucent_ = false;
@@ -49,6 +49,13 @@ void AreaSort::begin_polygon(std::uint16_t source, Opacity opacity) {
   opacity_ = opacity;
   border_ = {};
   plane_corners_ = 0;
+  plane_given_ = false;
+}
+
+void AreaSort::begin_polygon(std::uint16_t source, const Plane& plane) {
+  begin_polygon(source);
+  given_plane_ = plane;
+  plane_given_ = true;
 }
 
 void AreaSort::vertex(std::int32_t x, std::int32_t y, std::int32_t depth) {
@@ -93,20 +100,55 @@ void AreaSort::end_contour() {
 void AreaSort::end_polygon() {
   const bool flat = plane_corners_ < 3 || orientation(plane_at_[0], plane_at_[1], plane_at_[2]) == 0;
   if (flat) ++counts_.dropped;
-  if (!flat) cut_to(borders_, border_, window_);
-  if (!borders_fit(source_) || !status_.ok()) return;
-  if (flat || border_.first == 0) return borders_.release(border_);
+  if (flat || !status_.ok()) return borders_.release(border_);
+  const Plane plane = plane_given_ ? given_plane_ : Plane::through(plane_at_, plane_depth_);
+  cut_to(borders_, border_, window_);
+  const bool within = group_ == kBackdropGroup || cut_to_slab(plane);
+  if (!borders_fit(source_)) return;
+  if (!within || border_.first == 0) return borders_.release(border_);
   translucent_ |= opacity_ == Opacity::translucent;
-  const std::uint16_t name = add_polygon(source_, Plane::through(plane_at_, plane_depth_), opacity_, border_);
+  const std::uint16_t name = add_polygon(source_, plane, opacity_, border_);
   if (group_ == 0 || name == 0) return;
   CHECK(opacity_ == Opacity::opaque);
   pools_.polygons[name].group = group_;
-  borders_.join(silhouette_, borders_.copy(border_));
+  if (group_ != kBackdropGroup) borders_.join(silhouette_, borders_.copy(border_));
+}
+
+bool AreaSort::cut_to_slab(const Plane& plane) {
+  return (slab_.low <= 0 || cut_at(plane, slab_.low, true)) &&
+         (slab_.high > kMaxDepth || cut_at(plane, slab_.high, false));
+}
+
+// Neighbouring slabs cut a polygon at the same points. One that only touches their border, or lies along it, belongs to
+// the nearer one. False where nothing is left.
+bool AreaSort::cut_at(const Plane& plane, std::int32_t depth, bool keep_nearer) {
+  const Line line = crossing_line(plane, Plane::level(depth));
+  if (straddles(borders_, border_, line)) {
+    Halves halves = cut(borders_, border_, line);
+    border_ = keep_nearer ? halves.positive : halves.negative;
+    borders_.release(keep_nearer ? halves.negative : halves.positive);
+    return true;
+  }
+  bool farther = false;
+  borders_.each_end(border_, [&](GridPoint p) { farther |= line.side(p) < 0; });
+  return farther != keep_nearer;
 }
 
 void AreaSort::begin_group() {
   group_ = ++groups_;
   silhouette_ = {};
+}
+
+void AreaSort::begin_backdrop() { group_ = kBackdropGroup; }
+
+// The window is the silhouette of its details.
+void AreaSort::end_backdrop() {
+  group_ = 0;
+  if (!status_.ok()) return;
+  const std::uint16_t name = add_backdrop();
+  if (name == 0) return;
+  pools_.polygons[name].group = kBackdropGroup;
+  pools_.polygons[name].silhouette = true;
 }
 
 // The silhouette has no plane: its depth is its members'.
@@ -131,15 +173,16 @@ std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Op
 }
 
 // Far behind everything, and never a clip polygon.
-void AreaSort::add_backdrop() {
+std::uint16_t AreaSort::add_backdrop() {
   const GridPoint a = window_.low, c = window_.high;
   const GridPoint b{c.x, a.y}, d{a.x, c.y};
   const GridPoint corners[] = {a, d, c, b};
   Border border;
   for (unsigned i = 0; i < 4; ++i) borders_.append(border, corners[i], corners[(i + 1) % 4]);
-  if (!borders_fit(kBackdrop)) return;
+  if (!borders_fit(kBackdrop)) return 0;
   const std::uint16_t name = add_polygon(kBackdrop, Plane{0, 0, -(std::int64_t{1} << 58)}, Opacity::opaque, border);
   if (name != 0) pools_.polygons[name].on_stack = true;
+  return name;
 }
 
 void AreaSort::sort_by_source() {
@@ -233,11 +276,12 @@ bool AreaSort::make_pieces() {
     NamedPolygon& polygon = pools_.polygons[name];
     if (!polygon.silhouette) continue;
     std::uint16_t i = first;
-    while (pools_.polygons[i].group != polygon.group) ++i;
+    while (i <= polygons_ && pools_.polygons[i].group != polygon.group) ++i;
     polygon.first_member = i;
     polygon.members = 0;
     for (; i <= polygons_ && pools_.polygons[i].group == polygon.group; ++i) {
       ++polygon.members;
+      if (polygon.source == kBackdrop) continue;
       if (pools_.polygons[i].nearest > polygon.nearest) polygon.nearest = pools_.polygons[i].nearest;
     }
   }

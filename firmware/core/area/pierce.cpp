@@ -26,12 +26,17 @@ bool share_a_piece(const Borders& borders, const Border& one, const Border& othe
 
 }  // namespace
 
+// A backdrop's details lie behind everything.
+bool AreaSort::can_pierce(const NamedPolygon& polygon) const {
+  return !polygon.silhouette && polygon.group != kBackdropGroup;
+}
+
 // Later polygons include the halves of earlier ones, which pierce none that their whole did not.
 bool AreaSort::pierce_all() {
   for (std::uint16_t one = 1; one < polygons_; ++one) {
     for (std::uint16_t other = static_cast<std::uint16_t>(one + 1); other <= polygons_; ++other) {
       const NamedPolygon &a = pools_.polygons[one], &b = pools_.polygons[other];
-      if (a.silhouette || b.silhouette || (a.group != 0 && a.group == b.group)) continue;
+      if (!can_pierce(a) || !can_pierce(b) || (a.group != 0 && a.group == b.group)) continue;
       if (a.bounds.overlaps(b.bounds) && !pierce(one, other)) return false;
     }
   }

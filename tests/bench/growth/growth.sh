@@ -24,8 +24,9 @@ quiet cmake --build "$work/images" -j 2 --target $(for size in $windowed $whole;
 
 # "polygons most pairs clips windows pieces memory thousands" of one image.
 count() {
+  request=$(sh "$source/firmware/boards/request.sh" "$work/images/growth-$1.elf" 0)
   timeout 900 qemu-system-arm -M mps2-an386 -icount shift=0 -display none -monitor none -serial none -chardev stdio,id=console \
-    -semihosting-config enable=on,target=native,chardev=console -kernel "$work/images/growth-$1.elf" < /dev/null > "$work/$1.out" ||
+    -semihosting-config enable=on,target=native,chardev=console -device "$request" -kernel "$work/images/growth-$1.elf" < /dev/null > "$work/$1.out" ||
     { cat "$work/$1.out" >&2; exit 1; }
   awk -F = -v size="$1" '
     NF == 2 { value[$1] = $2 + 0 }
