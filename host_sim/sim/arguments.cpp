@@ -29,7 +29,7 @@ constexpr std::int64_t kMaxFrame = 1'000'000'000;
 
 const std::vector<std::string> kPoolNames = {"facets",         "edges",   "polygons", "segments",
                                              "samples",        "implied", "vertices", "patch_facets",
-                                             "patch_vertices", "curves",  "strands"};
+                                             "patch_vertices", "curves",  "strands",  "layers"};
 
 std::pair<std::uint16_t, std::uint16_t> parse_size(const std::string& option, std::string_view text) {
   const std::vector<std::string_view> sides = split(text, 'x');
@@ -88,7 +88,9 @@ std::vector<PoolLimit> parse_pools(const std::string& option, std::string_view t
     if (equals == std::string_view::npos) refuse(option, part, "NAME=N");
     const std::string name(part.substr(0, equals));
     if (std::find(kPoolNames.begin(), kPoolNames.end(), name) == kPoolNames.end()) {
-      refuse(option, name, "one of facets, edges, polygons, segments, samples, implied, vertices, curves, strands");
+      refuse(option, name,
+             "one of facets, edges, polygons, segments, samples, implied, vertices, layers, "
+             "patch_facets, patch_vertices, curves, strands");
     }
     limits.push_back({name, static_cast<std::uint16_t>(parse_integer(option, part.substr(equals + 1), 0, 65534))});
   }

@@ -22,6 +22,17 @@ void record_span(void* context, const VisibleSpan& span) {
   }
 }
 
+// A pixel with layers has the number and the depth of the nearest.
+void record_layers(void* context, const LayeredSpan& span) {
+  VisibleSpan nearest;
+  nearest.line = span.line;
+  nearest.left = span.left;
+  nearest.right = span.right;
+  nearest.face = span.layers[0].face;
+  nearest.depth = span.depth;
+  record_span(context, nearest);
+}
+
 template <FrameOptions kOptions>
 class FrameEngine final : public Engine {
  public:
@@ -67,7 +78,7 @@ class FrameEngine final : public Engine {
     if constexpr (kOptions.taps) {
       out.ids.assign(pixels, 0);
       out.depth.assign(pixels, 0);
-      frame_.set_tap({&out, record_span});
+      frame_.set_tap({&out, record_span, record_layers});
     }
   }
 
@@ -90,9 +101,9 @@ class FrameEngine final : public Engine {
 
 template <Comparator kComparator, Walker kWalker>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
-  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true, .walker = kWalker};
+  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true, .layers = true, .walker = kWalker};
   constexpr FrameOptions kObserved{
-      .comparator = kComparator, .statistics = true, .taps = true, .patches = true, .walker = kWalker};
+      .comparator = kComparator, .statistics = true, .taps = true, .patches = true, .layers = true, .walker = kWalker};
   if (options.observe) return std::make_unique<FrameEngine<kObserved>>(options);
   return std::make_unique<FrameEngine<kPlain>>(options);
 }

@@ -14,6 +14,7 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "patch_vertices") return &patch_vertices;
   if (pool == "curves") return &curves;
   if (pool == "strands") return &strands;
+  if (pool == "layers") return &layers;
   return nullptr;
 }
 
@@ -33,6 +34,9 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       patch_vertices_(sizes.patch_vertices),
       patch_normals_(sizes.patch_vertices),
       patch_tolerance_(sizes.patch_tolerance),
+      looks_(sizes.polygons),
+      aside_(sizes.layers),
+      stack_(sizes.layers),
       points_(sizes.vertices),
       links_(sizes.vertices),
       vertex_buckets_(screen.height),
@@ -60,7 +64,8 @@ FrameStorage HostMemory::storage() {
            active_.ref(),
            {samples_[0].ref(), samples_[1].ref()},
            implied_.ref(),
-           nullptr},
+           nullptr,
+           {looks_.ref(), aside_.ref(), stack_.ref()}},
           {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), patch_tolerance_},
           {{points_.ref(),
             links_.ref(),

@@ -11,8 +11,8 @@ namespace spanline::host {
 
 struct PoolSizes {
   std::uint16_t facets = 65535, vertices = 65535, polygons = 65534, edges = 65534, segments = 65534, samples = 32767,
-                implied = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices, curves = 65535,
-                strands = 4096;
+                implied = 32767, layers = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices,
+                curves = 65535, strands = 4096;
   std::uint16_t patch_tolerance = 8;  // 1/16 px
 
   // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
@@ -56,6 +56,9 @@ class HostMemory {
   Blocks<ScreenPoint> patch_vertices_;
   Blocks<Normal10> patch_normals_;
   std::uint16_t patch_tolerance_;
+  Blocks<PolygonLook> looks_;
+  Blocks<ActiveSegment> aside_;
+  Blocks<Layer> stack_;
   Blocks<ScreenXY> points_;  // the edge walker's from here on
   Blocks<std::uint16_t> links_;
   Blocks<std::uint16_t> vertex_buckets_;

@@ -70,7 +70,7 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
                     "and neither --stats nor --comparator asks for the other) or segments");
   verb_->add_option("--bands", bands_, "prepare the picture in at least so many equal bands");
   verb_->add_option("--pools", pools_,
-                    "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, "
+                    "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, layers, "
                     "patch_facets, patch_vertices, curves, strands");
   verb_->add_option("--tolerance", tolerance_, "px that an edge of a diced patch may be off it (default: 0.5)");
   verb_->add_flag("--screen", on_screen_,

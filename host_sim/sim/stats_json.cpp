@@ -101,6 +101,7 @@ std::string stats_json(const SceneCounts& counts, const Rendering& rendering, co
   pool("segments", pools.segments, s.max_segments);
   pool("samples", pools.samples, s.max_samples);
   pool("implied", pools.implied, s.max_implied);
+  pool("layers", pools.layers, s.max_layers);
   pool("vertices", pools.vertices, s.max_vertices);
   out["bands"] = s.bands;
   if (std::find(counts.is_patch.begin(), counts.is_patch.end(), true) != counts.is_patch.end()) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "oracle/picture.hpp"
+
 namespace spanline::oracle {
 
 inline constexpr std::int64_t kMaxDepth = std::int64_t{1} << 26;  // 1/256 of a --screen depth unit
@@ -17,6 +19,8 @@ struct Vertex {
 struct Facet {
   std::uint32_t face;
   std::vector<std::vector<Vertex>> contours;
+  std::uint32_t parent = kNone;  // the face that this is surface detail of
+  bool see_through = false;
 };
 
 }  // namespace spanline::oracle

@@ -46,7 +46,22 @@ void MeshStore::add_face(const std::vector<std::vector<Position>>& contours, std
       groups_.back().first_contour = 0;
     }
   }
+  outlines_.push_back(contours[0]);
   ++face_count_;
+}
+
+void MeshStore::add_detail(std::uint16_t parent, const std::vector<Position>& contour, std::uint16_t material) {
+  const Layout layout = layout_;
+  layout_.runs = false;  // of a run all have the first one's material
+  add_face({contour}, material);
+  layout_ = layout;
+  parents_.push_back(parent);
+}
+
+std::uint16_t MeshStore::material(std::uint16_t face) const {
+  const auto next =
+      std::find_if(groups_.begin(), groups_.end(), [face](const FaceGroup& group) { return group.first_face > face; });
+  return (next - 1)->material;
 }
 
 MeshRecord MeshStore::record(std::int32_t unit) const {
@@ -58,6 +73,7 @@ MeshRecord MeshStore::record(std::int32_t unit) const {
   record.groups = slice_of(groups_);
   record.face_count = face_count_;
   record.unit = unit;
+  record.parents = slice_of(parents_);
   return record;
 }
 

@@ -23,6 +23,11 @@ class MeshStore {
 
   // contours: one ring, or an outline and its holes, each of at least 3 positions.
   void add_face(const std::vector<std::vector<Position>>& contours, std::uint16_t material);
+  // Surface detail on a face that is none; after it only more of the kind may be added.
+  void add_detail(std::uint16_t parent, const std::vector<Position>& contour, std::uint16_t material);
+
+  const std::vector<Position>& outline(std::uint16_t face) const { return outlines_[face]; }
+  std::uint16_t material(std::uint16_t face) const;
 
   std::uint16_t face_count() const { return face_count_; }
   // Refers to this store. `origin` and `unit` as in MeshRecord; no normals.
@@ -37,6 +42,8 @@ class MeshStore {
   std::vector<std::uint16_t> corners_;
   std::vector<std::uint16_t> contours_;
   std::vector<FaceGroup> groups_;
+  std::vector<std::vector<Position>> outlines_;
+  std::vector<std::uint16_t> parents_;
   std::uint16_t face_count_ = 0;
 };
 
@@ -48,6 +55,8 @@ class SceneStore {
   // Unlit, of a colour that no other material of the scene has.
   std::uint16_t add_material();
   std::uint16_t mesh_count() const { return static_cast<std::uint16_t>(meshes_.size()); }
+  MeshStore& mesh(std::uint16_t index) { return meshes_[index]; }
+  std::vector<MaterialRecord>& materials() { return materials_; }
   // Refers to this store.
   SceneRecord record();
 

@@ -7,8 +7,8 @@
 namespace spanline::test {
 namespace {
 
-constexpr FrameOptions with_taps(Comparator comparator, XSort x_sort) {
-  return {.comparator = comparator, .x_sort = x_sort, .statistics = true, .taps = true};
+constexpr FrameOptions with_taps(Comparator comparator, XSort x_sort, bool layers) {
+  return {.comparator = comparator, .x_sort = x_sort, .statistics = true, .taps = true, .layers = layers};
 }
 
 std::size_t pixel_index(const Drawing& drawing, int column, int line) {
@@ -22,6 +22,29 @@ class Recorder {
   explicit Recorder(Drawing& drawing) : drawing_(drawing) {}
 
   void span(const VisibleSpan& span) {
+    show(span);
+    if (span.face == kNoFace) return;
+    for (int column = span.left; column < span.right; ++column) {
+      drawing_.stacks[pixel_index(drawing_, column, line_)] = {span.face};
+    }
+  }
+
+  void layers(const LayeredSpan& span) {
+    VisibleSpan nearest;
+    nearest.line = span.line;
+    nearest.left = span.left;
+    nearest.right = span.right;
+    nearest.face = span.layers[0].face;
+    nearest.depth = span.depth;
+    show(nearest);
+    for (int column = span.left; column < span.right; ++column) {
+      for (const Layer& layer : span.layers) {
+        drawing_.stacks[pixel_index(drawing_, column, line_)].push_back(layer.face);
+      }
+    }
+  }
+
+  void show(const VisibleSpan& span) {
     if (span.line != line_ || span.left != column_ || span.right <= span.left || span.right > drawing_.faces.width) {
       drawing_.broken = "span " + std::to_string(span.left) + " - " + std::to_string(span.right) + " of line " +
                         std::to_string(span.line) + " came at column " + std::to_string(column_) + " of line " +
@@ -45,7 +68,8 @@ class Recorder {
   }
 
   static SpanTap tap(Recorder& recorder) {
-    return {&recorder, [](void* context, const VisibleSpan& span) { static_cast<Recorder*>(context)->span(span); }};
+    return {&recorder, [](void* context, const VisibleSpan& span) { static_cast<Recorder*>(context)->span(span); },
+            [](void* context, const LayeredSpan& span) { static_cast<Recorder*>(context)->layers(span); }};
   }
 
  private:
@@ -65,13 +89,15 @@ void apply(const PoolLimits& limits, FrameStorage& storage) {
   storage.vsg.samples[0].limit(limits.samples);
   storage.vsg.samples[1].limit(limits.samples);
   storage.vsg.implied.limit(limits.implied);
+  storage.vsg.layers.aside.limit(limits.layers);
+  storage.vsg.layers.stack.limit(limits.layers);
 }
 
-template <Comparator kComparator, XSort kXSort>
+template <Comparator kComparator, XSort kXSort, bool kLayers>
 Drawing draw_with(const FrameStorage& storage, const SceneView& scene, const CameraRecord& camera,
                   const std::vector<std::uint16_t>& cuts) {
   Drawing drawing(storage.screen);
-  Frame<with_taps(kComparator, kXSort)> frame(storage);
+  Frame<with_taps(kComparator, kXSort, kLayers)> frame(storage);
   Recorder recorder(drawing);
   frame.set_tap(Recorder::tap(recorder));
   std::vector<std::uint32_t> words(frame.line_bytes() / 4 + 1);
@@ -98,7 +124,8 @@ Drawing draw_with(const FrameStorage& storage, const SceneView& scene, const Cam
 
 }  // namespace
 
-Drawing::Drawing(const Screen& screen) : faces(screen.width, screen.height), depths(faces.faces.size(), 0) {}
+Drawing::Drawing(const Screen& screen)
+    : faces(screen.width, screen.height), stacks(faces.faces.size()), depths(faces.faces.size(), 0) {}
 
 Drawer::Drawer() : memory_(std::make_unique<FrameMemory<kRandomBudget>>()) {}
 
@@ -108,11 +135,14 @@ Drawing Drawer::draw(const SceneView& scene, const CameraRecord& camera, const C
   if (choices.x_sort == XSort::buckets) {
     const auto buckets = std::make_unique<XSortBuckets<true>::Buckets>();
     storage.vsg.buckets = buckets.get();
-    return draw_with<Comparator::plane, XSort::buckets>(storage, scene, camera, choices.cuts);
+    return draw_with<Comparator::plane, XSort::buckets, false>(storage, scene, camera, choices.cuts);
   }
-  return choices.comparator == Comparator::plane
-             ? draw_with<Comparator::plane, XSort::list>(storage, scene, camera, choices.cuts)
-             : draw_with<Comparator::midpoint, XSort::list>(storage, scene, camera, choices.cuts);
+  const bool by_plane = choices.comparator == Comparator::plane;
+  const auto draw = choices.layers ? (by_plane ? draw_with<Comparator::plane, XSort::list, true>
+                                               : draw_with<Comparator::midpoint, XSort::list, true>)
+                                   : (by_plane ? draw_with<Comparator::plane, XSort::list, false>
+                                               : draw_with<Comparator::midpoint, XSort::list, false>);
+  return draw(storage, scene, camera, choices.cuts);
 }
 
 }  // namespace spanline::test

@@ -21,9 +21,22 @@ std::vector<oracle::Facet> facets_of(const SceneView& scene, const CameraRecord&
     if (reader.extent().empty()) continue;
     Collector collector;
     reader.read([](std::uint16_t) { return Rgb8{}; }, collector);
-    facets.push_back({face, std::move(collector.contours)});
+    const std::uint32_t parent = reader.parent() == kNoFace ? oracle::kNone : reader.parent();
+    facets.push_back(
+        {face, std::move(collector.contours), parent, scene.scene().materials[reader.face().material].see_through()});
   }
   return facets;
+}
+
+std::vector<MaterialRecord> materials_of(const SceneView& scene, const CameraRecord& camera, const Screen& screen) {
+  std::vector<MaterialRecord> materials;
+  ScreenPoint sink[1];
+  FacetReader reader(scene, camera, screen, PoolRef<ScreenPoint>(sink, 0));
+  for (std::uint16_t face = 0; face < scene.face_count(); ++face) {
+    reader.select(face);
+    materials.push_back(scene.scene().materials[reader.face().material]);
+  }
+  return materials;
 }
 
 }  // namespace spanline::test

@@ -11,4 +11,7 @@ namespace spanline::test {
 // Every face that is drawn, after culling and clipping.
 std::vector<oracle::Facet> facets_of(const SceneView& scene, const CameraRecord& camera, const Screen& screen);
 
+// The material of every face, by number.
+std::vector<MaterialRecord> materials_of(const SceneView& scene, const CameraRecord& camera, const Screen& screen);
+
 }  // namespace spanline::test

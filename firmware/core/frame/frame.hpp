@@ -19,7 +19,8 @@ class Frame {
   // Makes ready the longest run of lines from rest.top on whose waiting facets fit their pool, at most `rest`, and
   // returns it. Scene, and what its records point to, must stay as they are until the band is finished; between bands
   // of one frame too. A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a
-  // status, where rest or the camera is out of range, or the scene has patches and FrameOptions::patches is not set.
+  // status, where rest or the camera is out of range, or the scene has patches, or is SceneView::layered(), and
+  // FrameOptions::patches or layers is not set.
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
 
   // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte
@@ -73,6 +74,8 @@ class Frame {
   bool wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count);
   bool begin_facets(std::uint16_t line);
   Room begin_facet(std::uint16_t face, std::uint16_t line);
+  typename VisibleSegments<kOptions>::Look layered(const FacetLook& look, const Rgb8& color,
+                                                   const MaterialRecord& material) const;
   const LightRig& lights();
   // Whether facets of patches are shaded from normals at their corners.
   template <typename Patches>

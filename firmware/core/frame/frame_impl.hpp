@@ -24,6 +24,12 @@ struct Frame<kOptions>::Sink {
     }
     painter.span(s);
   }
+  void layers(const LayeredSpan& s) {
+    if constexpr (kOptions.taps) {
+      if (tap.layers != nullptr) tap.layers(tap.context, s);
+    }
+    painter.layers(s);
+  }
 };
 
 template <FrameOptions kOptions>
@@ -60,6 +66,9 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   Status status = check_band(rest, screen_);
   if (status.ok() && !kOptions.patches && scene.has_patches()) {
     status = {Code::bad_argument, "FrameOptions", "patches (not set)", 0, 0, 0, 0};
+  }
+  if (status.ok() && !kOptions.layers && scene.layered()) {
+    status = {Code::bad_argument, "FrameOptions", "layers (not set)", 0, 0, 0, 0};
   }
   if (status.ok()) status = check_camera(camera);
   if (!status.ok()) {
@@ -244,18 +253,20 @@ template <typename Patches>
 Room Frame<kOptions>::begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line) {
   const std::uint16_t face = facets_[waiting].face;
   const DicedFacet& facet = patches[static_cast<std::uint16_t>(waiting - polygons_filed_)];
-  const auto add = [&](const FacetLook& look, const auto& colour) {
+  const auto add = [&](const auto& look, const auto& colour) {
     return vsg_.add({face, facet.part}, false, line, look, [&](auto& sink) { patches.read(facet, colour, sink); });
   };
   reader_.select(face);
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
   if (!keeps_normals(patches, material)) {
-    return add({facet.payload, false}, [](const Normal10&) { return Rgb8{}; });
+    const Rgb8 color = payload_color(screen_.format, facet.payload);
+    return add(layered({facet.payload, false}, color, material), [](const Normal10&) { return Rgb8{}; });
   }
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
   const bool flip = two_sided && !patches.front(facet, reader_.mirrored());
   const LightRig& rig = lights();
-  return add({0, true}, [&](const Normal10& normal) { return rig.shade(normal, material, flip); });
+  return add(layered({0, true}, {}, material),
+             [&](const Normal10& normal) { return rig.shade(normal, material, flip); });
 }
 
 template <FrameOptions kOptions>
@@ -267,12 +278,12 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const bool flip = two_sided && !reader_.extent().front();
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours()) {
     const LightRig& rig = lights();
-    if (smooth_.on() && rig.grey() && reader_.face().corners.size() == 3 && !reader_.clipped()) {
-      const FacetLook look{.smooth = true};
-      return vsg_.add(face, line, look, [](std::uint16_t) { return Rgb8{}; });
+    const bool alone = !kOptions.layers || !scene_.layered();  // layers are made of colours along edges
+    if (alone && smooth_.on() && rig.grey() && reader_.face().corners.size() == 3 && !reader_.clipped()) {
+      return vsg_.add(face, line, layered({.smooth = true}, {}, material), [](std::uint16_t) { return Rgb8{}; });
     }
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };
-    return vsg_.add(face, line, {0, true}, colour);
+    return vsg_.add(face, line, layered({0, true}, {}, material), colour);
   }
   Rgb8 color = material.color;
   if (material.shading != MaterialRecord::kUnlit) {
@@ -282,7 +293,19 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
         mesh.face_normals.empty() ? mesh.vertex_normals[ref.corners[0]] : mesh.face_normals[ref.mesh_face];
     color = lights().shade(normal, material, flip);
   }
-  return vsg_.add(face, line, {flat_payload(screen_.format, color), false}, [](std::uint16_t) { return Rgb8{}; });
+  return vsg_.add(face, line, layered({flat_payload(screen_.format, color), false}, color, material),
+                  [](std::uint16_t) { return Rgb8{}; });
+}
+
+// Of the reader's current facet.
+template <FrameOptions kOptions>
+typename VisibleSegments<kOptions>::Look Frame<kOptions>::layered(const FacetLook& look, const Rgb8& color,
+                                                                  const MaterialRecord& material) const {
+  if constexpr (kOptions.layers) {
+    return {look, {color, material.transmission, reader_.parent()}};
+  } else {
+    return look;
+  }
 }
 
 // The look of a smooth triangle.

@@ -25,6 +25,7 @@ struct Band {
 struct SpanTap {
   void* context = nullptr;
   void (*span)(void* context, const VisibleSpan& span) = nullptr;
+  void (*layers)(void* context, const LayeredSpan& span) = nullptr;
 };
 
 // The word of a face: the colour it is painted in, or the one value that means that it is not drawn. That value is no

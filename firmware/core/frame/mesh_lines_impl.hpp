@@ -103,6 +103,7 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
   };
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
   if (scene.face_count() > words_.capacity()) return short_of("facets", scene.face_count(), words_.capacity());
+  if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   if (smooth_.on()) {
     if (scene.vertex_count() > levels_.capacity()) {
       return short_of("levels", scene.vertex_count(), levels_.capacity());

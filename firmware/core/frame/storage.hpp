@@ -103,11 +103,20 @@ class SegmentPools {
     storage.vertices = vertices_.ref();
     storage.vsg = {polygons_.ref(), edges_.ref(),  segments_.ref(),
                    shades_.ref(),   active_.ref(), {samples_[0].ref(), samples_[1].ref()},
-                   implied_.ref(),  nullptr};
+                   implied_.ref(),  nullptr,       {}};
+    if constexpr (kBudget.layers != 0) storage.vsg.layers = layers_.storage();
     storage.patches = patches_.storage(kBudget.patch_tolerance);
   }
 
  private:
+  struct NoLayerPools {};
+  struct LayerPools {
+    Pool<PolygonLook, kBudget.polygons> looks;
+    Pool<ActiveSegment, kBudget.layers> aside;
+    Pool<Layer, kBudget.layers> stack;
+    LayerStorage storage() { return {looks.ref(), aside.ref(), stack.ref()}; }
+  };
+
   Pool<WaitingFacet, kBudget.facets> facets_;
   Pool<std::uint16_t, kBandLines> buckets_;
   Pool<ScreenPoint, kBudget.vertices> vertices_;
@@ -119,6 +128,7 @@ class SegmentPools {
   Pool<std::int16_t, kBudget.samples> samples_[2];
   Pool<ImpliedEdge, kBudget.implied> implied_;
   [[no_unique_address]] PatchMemory<kBudget.patch_facets, kBudget.patch_vertices, kBudget.gouraud> patches_;
+  [[no_unique_address]] std::conditional_t<kBudget.layers != 0, LayerPools, NoLayerPools> layers_;
 };
 
 template <Budget kBudget>

@@ -60,6 +60,12 @@ class FacetReader {
   const Projection& projection() const { return projection_; }
   bool mirrored() const { return !on_screen() && matrix_.mirrored; }
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
+  // The face that the current one is surface detail of; kNoFace where it is none.
+  std::uint16_t parent() const {
+    const std::uint32_t first_detail = mesh().face_count - mesh().parents.size();
+    if (face_.mesh_face < first_detail) return kNoFace;
+    return static_cast<std::uint16_t>(first_face_ + mesh().parents[face_.mesh_face - first_detail]);
+  }
 
   // Whether the current face is a patch. Then there is nothing of it to read but this: its control points in clip
   // space, four rows of four.

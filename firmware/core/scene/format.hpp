@@ -44,8 +44,21 @@ struct Rgb8 {
 
 struct MaterialRecord {
   enum Shading : std::uint8_t { kFlat, kGouraud, kUnlit };
+  static constexpr std::uint16_t kAllLight = 0xffff;
   Rgb8 color;
   Shading shading = kFlat;
+  // What part t of the light from behind comes through, of 255, a channel: a pixel is (255 - t) / 255 of the lit colour
+  // and t / 255 of what lies behind. All 0: opaque.
+  Rgb8 transmission{};
+  std::uint16_t reach = kAllLight;  // index into SceneRecord::reaches: how much of each light comes here
+
+  constexpr bool see_through() const { return transmission != Rgb8{}; }
+};
+
+// What part of each light reaches a surface, of 255, a channel: 0 in full shadow, in between behind translucent
+// polygons. Parallel to SceneRecord::lights.
+struct ReachRecord {
+  Rgb8 light[kMaxLights];
 };
 
 // A run of faces that look alike: the same number of corners, contours and the same material.
@@ -117,6 +130,11 @@ struct CurveRecord {
 // position), where unit is Q1.31 world units for one mesh unit. Groups follow each other by first_face without gaps,
 // from 0 to face_count. The faces of a mesh are all polygons or all patches. Patches have no normals in the record:
 // they come from their shape.
+//
+// The last parents.size() faces are surface detail (seed 2): face face_count - parents.size() + i lies on the face
+// parents[i], which is no detail itself. Detail shows wherever its parent is visible and it covers; its own depth
+// counts for nothing. Of several layers on one parent the highest face number lies on top. On a see-through parent
+// detail takes the place of the parent's surface; see-through detail on an opaque parent is refused.
 struct MeshRecord {
   const char* name;
   Slice<const Position> positions;
@@ -133,6 +151,7 @@ struct MeshRecord {
   Slice<const std::uint16_t> fan_starts = {};
   Slice<const FanEdge> fans = {};
   Slice<const CurveRecord> curves = {};
+  Slice<const std::uint16_t> parents = {};  // of the surface detail
 
   bool of_patches() const { return !groups.empty() && groups[0].contour_count == FaceGroup::kPatches; }
 };
@@ -182,6 +201,7 @@ struct SceneRecord {
   Slice<const LightRecord> lights;
   std::uint16_t ambient[3];  // Q8.8 a channel
   BackgroundRecord background;
+  Slice<const ReachRecord> reaches = {};
 };
 
 // The viewer: right-handed, +Y up, looking along -Z of its own frame.

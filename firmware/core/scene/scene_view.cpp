@@ -128,6 +128,37 @@ Status check_material(const MeshRecord& mesh, const MaterialRecord& material, co
   return normals ? Status{} : bad(record, "material (no normals)", index);
 }
 
+// The material of a face by the mesh's own choice.
+const MaterialRecord& material_of(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t face) {
+  std::uint32_t g = 0;
+  while (face - mesh.groups[g].first_face >= mesh.groups[g].face_count) ++g;
+  return scene.materials[mesh.groups[g].material];
+}
+
+// Surface detail lies on faces that are none, and hides or takes the place of its parent's surface: through an opaque
+// parent nothing could be seen.
+Status check_detail(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t index) {
+  const std::uint32_t count = mesh.parents.size();
+  if (count != 0 && mesh.of_patches()) return bad("MeshRecord", "parents (of patches)", index);
+  if (count >= mesh.face_count && count != 0) return bad("MeshRecord", "parents", index, count, mesh.face_count - 1u);
+  const std::uint32_t first = mesh.face_count - count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (mesh.parents[i] >= first) return bad("MeshRecord", "parents", index, mesh.parents[i], first - 1);
+    if (!material_of(scene, mesh, first + i).see_through()) continue;
+    if (!material_of(scene, mesh, mesh.parents[i]).see_through())
+      return bad("MeshRecord", "parents (see-through detail on an opaque face)", index, first + i);
+  }
+  return {};
+}
+
+Status check_material_record(const SceneRecord& scene, std::uint32_t index) {
+  const MaterialRecord& material = scene.materials[index];
+  if (material.shading > MaterialRecord::kUnlit) return bad("MaterialRecord", "shading", index, material.shading);
+  if (material.reach != MaterialRecord::kAllLight && material.reach >= scene.reaches.size())
+    return bad("MaterialRecord", "reach", index, material.reach, scene.reaches.size());
+  return {};
+}
+
 Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
   const MeshRecord& mesh = scene.meshes[index];
   if (mesh.positions.empty() || mesh.positions.size() > kMaxSceneVertices) {
@@ -158,7 +189,8 @@ Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
   }
   const bool empty = faces == 0 && mesh.curves.empty();
   if (empty || faces != mesh.face_count) return bad("MeshRecord", "face_count", index, mesh.face_count, faces);
-  return check_fans(mesh, index);
+  const Status detail = check_detail(scene, mesh, index);
+  return detail.ok() ? check_fans(mesh, index) : detail;
 }
 
 Status check_instance(const SceneRecord& scene, std::uint32_t index) {
@@ -196,9 +228,11 @@ Status check_light(const LightRecord& light, std::uint32_t index) {
 }  // namespace
 
 Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
+  bool layered = false;
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-    if (scene.materials[i].shading > MaterialRecord::kUnlit)
-      return bad("MaterialRecord", "shading", i, scene.materials[i].shading);
+    const Status status = check_material_record(scene, i);
+    if (!status.ok()) return status;
+    layered = layered || scene.materials[i].see_through();
   }
   if (scene.lights.size() > kMaxLights) return bad("SceneRecord", "lights", 0, scene.lights.size(), kMaxLights);
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
@@ -208,6 +242,7 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     const Status status = check_mesh(scene, i);
     if (!status.ok()) return status;
+    layered = layered || !scene.meshes[i].parents.empty();
   }
   std::uint32_t faces = 0, vertices = 0, curves = 0;
   bool has_patches = false;
@@ -227,6 +262,7 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   view.vertex_count_ = static_cast<std::uint16_t>(vertices);
   view.has_patches_ = has_patches;
   view.curve_count_ = static_cast<std::uint16_t>(curves);
+  view.layered_ = layered;
   return {};
 }
 

@@ -22,6 +22,7 @@ class SceneView {
   bool has_patches() const { return has_patches_; }             // some instance is of patches
   std::uint16_t vertex_count() const { return vertex_count_; }  // over all instances
   std::uint16_t curve_count() const { return curve_count_; }    // over all instances, hidden ones too
+  bool layered() const { return layered_; }                     // has surface detail or see-through materials
 
  private:
   const SceneRecord* scene_ = nullptr;
@@ -29,6 +30,7 @@ class SceneView {
   std::uint16_t vertex_count_ = 0;
   bool has_patches_ = false;
   std::uint16_t curve_count_ = 0;
+  bool layered_ = false;
 };
 
 }  // namespace spanline

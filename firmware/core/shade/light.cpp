@@ -29,6 +29,9 @@ std::int32_t column_product(const Matrix& m, int a, int b) {
   return m[0][a] * m[0][b] + m[1][a] * m[1][b] + m[2][a] * m[2][b];
 }
 
+// The part of an intensity that reaches a surface: 255 is all of it.
+std::uint32_t reached(std::uint32_t intensity, std::uint32_t part) { return (intensity * (part + (part >> 7))) >> 8; }
+
 // Columns of one length, at right angles, within 1 %.
 bool is_uniform(const Matrix& m) {
   const std::int32_t length = column_product(m, 0, 0);
@@ -61,7 +64,8 @@ void cofactors(const Matrix& m, Matrix& out) {
 
 }  // namespace
 
-LightRig::LightRig(const SceneRecord& scene, const Transform& transform) : count_(scene.lights.size()) {
+LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
+    : count_(scene.lights.size()), reaches_(scene.reaches) {
   std::int64_t raw[3][3];
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) raw[i][j] = transform.matrix[i][j].raw;
@@ -125,7 +129,7 @@ std::uint32_t LightRig::grey_sum(const Normal10& normal, bool flip) const {
 
 Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, bool flip) const {
   if (material.shading == MaterialRecord::kUnlit) return material.color;
-  if (grey_) {  // the channels' sums are the same
+  if (grey_ && material.reach == MaterialRecord::kAllLight) {  // the channels' sums are the same
     const std::uint32_t sum = grey_sum(normal, flip);
     const auto lit = [&](std::uint32_t channel) {
       const std::uint32_t v = (channel * sum + 128) >> 8;
@@ -137,7 +141,13 @@ Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, boo
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {
     const auto amount = static_cast<std::uint32_t>(diffuse(l, normal, flip, length));
-    for (int i = 0; i < 3; ++i) sum[i] += (amount * intensity_[l][i] + (1u << 14)) >> 15;
+    if (material.reach == MaterialRecord::kAllLight) {
+      for (int i = 0; i < 3; ++i) sum[i] += (amount * intensity_[l][i] + (1u << 14)) >> 15;
+    } else {
+      const Rgb8& part = reaches_[material.reach].light[l];
+      const std::uint8_t reach[3] = {part.r, part.g, part.b};
+      for (int i = 0; i < 3; ++i) sum[i] += (amount * reached(intensity_[l][i], reach[i]) + (1u << 14)) >> 15;
+    }
   }
   const auto lit = [&](std::uint8_t channel, int i) {
     const std::uint32_t v = (channel * sum[i] + 128) >> 8;

@@ -31,7 +31,8 @@ class LightRig {
   std::uint32_t turned_length(const Normal10& normal) const;
 
   std::uint32_t count_ = 0;
-  bool grey_ = true;                       // ambient and lights have no hue
+  bool grey_ = true;  // ambient and lights have no hue
+  Slice<const ReachRecord> reaches_;
   bool uniform_ = true;                    // the transform only turns and scales evenly
   std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
   std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "core/shade/fill_words.hpp"
+#include "core/shade/ramp.hpp"
 
 namespace spanline {
 
@@ -41,31 +42,6 @@ std::uint16_t mix_wire(std::uint16_t pixel, const Rgb8& color, std::uint32_t par
                      channel((v << 3 & 0xf8u) | (v >> 2 & 7u), color.b));
 }
 
-// One channel (or a weighted sum of them) of an edge at a line, Q8.7.
-std::int32_t on_line(const EdgeShade& edge, int channel, std::uint16_t line) {
-  const std::int32_t down = line + 2048 - edge.first_line_from_top;
-  return edge.color[channel] + edge.step[channel] * down;
-}
-
-// A colour channel along a segment, Q8.16. Its step is cut off towards zero, so it stays between the values at the
-// segment's ends, which are colours: no clamping.
-struct Ramp {
-  std::uint32_t value, step;
-
-  // from and to: Q8.7 at the segment's first column and one past its last; `skipped` columns of it are not shown.
-  Ramp(std::int32_t from, std::int32_t to, std::int32_t width, std::int32_t skipped) {
-    const std::int32_t slope = (to - from) * 512 / width;
-    value = static_cast<std::uint32_t>(from * 512 + slope * skipped);
-    step = static_cast<std::uint32_t>(slope);
-  }
-};
-
-// Where a segment lies on the line just made.
-std::int32_t first_column(const SegmentBlock& segment) { return segment.half[0].stepped_back().column; }
-std::int32_t width_of(const SegmentBlock& segment) {
-  return segment.half[1].stepped_back().column - first_column(segment);
-}
-
 }  // namespace
 
 void Painter::begin_line(std::uint16_t line, std::uint8_t* out, const BackgroundRecord& background) {
@@ -78,6 +54,7 @@ void Painter::begin_line(std::uint16_t line, std::uint8_t* out, const Background
              mix(background.top.g, background.bottom.g, line, whole),
              mix(background.top.b, background.bottom.b, line, whole)};
   }
+  background_color_ = color;
   background_ = flat_payload(screen_.format, color);
 }
 

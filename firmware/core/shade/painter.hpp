@@ -5,6 +5,7 @@
 #include "core/geom/screen.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/shade/pixel.hpp"
+#include "core/vsg/layer.hpp"
 #include "core/vsg/visible_span.hpp"
 
 namespace spanline {
@@ -28,12 +29,16 @@ class Painter {
   void smooth(std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane, const std::uint16_t* colors);
   std::uint8_t* out() const { return out_; }                // the line
   std::uint16_t background() const { return background_; }  // of the line
+  // Layers are put over one another in 8 bits a channel, the farthest first.
+  void layers(const LayeredSpan& span);
 
   // Paints what `coverage` holds of this line over its pixels, and takes it out of there: with c of 16 samples covered
   // a pixel becomes (color * c + pixel * (16 - c)) / 16. Where pixels are dithered, this is dithered again.
   void cover(const Rgb8& color, LineCoverage& coverage);
 
  private:
+  void flat_layers(const LayeredSpan& span);
+  void pixel(std::uint32_t x, const Rgb8& color);
   void gouraud(const VisibleSpan& span);
   void gouraud_rgb565(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
   void gouraud_grey(const VisibleSpan& span, const std::int32_t (&from)[3], const std::int32_t (&to)[3]);
@@ -44,6 +49,7 @@ class Painter {
   std::uint8_t* out_ = nullptr;
   std::uint16_t line_ = 0;
   std::uint16_t background_ = 0;  // payload
+  Rgb8 background_color_{};
 };
 
 }  // namespace spanline

@@ -24,6 +24,27 @@ constexpr std::uint16_t flat_payload(PixelFormat format, const Rgb8& c) {
   return format == PixelFormat::rgb565 ? rgb565_wire(c.r, c.g, c.b) : luminance(c);
 }
 
+// The colour of a payload, for what lies under others: bits of RGB565 replicated, a luminance as a grey.
+constexpr Rgb8 payload_color(PixelFormat format, std::uint16_t payload) {
+  if (format != PixelFormat::rgb565) {
+    const auto grey = static_cast<std::uint8_t>(payload);
+    return {grey, grey, grey};
+  }
+  const std::uint32_t v = (payload & 255u) << 8 | payload >> 8;
+  const std::uint32_t r = v >> 11, g = v >> 5 & 63u, b = v & 31u;
+  return {static_cast<std::uint8_t>(r << 3 | r >> 2), static_cast<std::uint8_t>(g << 2 | g >> 4),
+          static_cast<std::uint8_t>(b << 3 | b >> 2)};
+}
+
+// `color` in front of `behind`, of which the part `transmission` / 255 shines through, a channel; to the nearest.
+constexpr Rgb8 seen_through(const Rgb8& color, const Rgb8& transmission, const Rgb8& behind) {
+  constexpr auto mix = [](std::uint32_t own, std::uint32_t t, std::uint32_t back) {
+    return static_cast<std::uint8_t>(((own * (255 - t) + back * t + 127) * 0x8081u) >> 23);  // / 255
+  };
+  return {mix(color.r, transmission.r, behind.r), mix(color.g, transmission.g, behind.g),
+          mix(color.b, transmission.b, behind.b)};
+}
+
 // Bayer's 8 x 8 matrix (1973), 0 … 63: the bits of x ^ y and y, reversed and interleaved.
 constexpr std::uint32_t bayer8(std::uint32_t x, std::uint32_t y) {
   const std::uint32_t d = x ^ y;

@@ -57,6 +57,7 @@ struct PolygonBlock {
     kFinished = 32,  // both edges of its only segment ended on the line that was made last, and none is to come
     kGouraud = 8,
     kSmooth = 64,
+    kAside = 128,  // surface detail or see-through: hides nothing
   };
   std::uint16_t face;           // kNoFace: block not in use
   std::uint16_t first_segment;  // polygon segment list; also free storage

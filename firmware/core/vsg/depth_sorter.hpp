@@ -4,8 +4,10 @@
 #include <type_traits>
 
 #include "core/geom/facet.hpp"
+#include "core/vsg/active_segment.hpp"
 #include "core/vsg/depth.hpp"
 #include "core/vsg/implied.hpp"
+#include "core/vsg/layer_sorter.hpp"
 #include "core/vsg/options.hpp"
 #include "core/vsg/polygons.hpp"
 #include "core/vsg/sample_space.hpp"
@@ -15,23 +17,11 @@
 
 namespace spanline {
 
-// An entry of the active list (III.F): a segment taken from the X-sort list on this line that reaches into spans to
-// come. It holds all that the comparator needs, so that a span looks at it without touching the segment block.
-struct ActiveSegment {
-  std::uint16_t segment = 0;  // 0: none, the background
-  std::uint16_t polygon = 0;
-  std::uint16_t left : 15 = 0;  // columns on this line, clipped to the screen
-  std::uint16_t fresh : 1 = 0;  // taken in the present span: its block is in the comparator's registers still
-  std::uint16_t right : 15 = 0;
-  std::uint16_t has_ramp : 1 = 0;
-  DepthRamp ramp;
-};
-static_assert(sizeof(ActiveSegment) == 16);
-
 template <VsgOptions kOptions, typename XSort>
 class DepthSorter {
  public:
   using Store = SegmentStore<kOptions.statistics>;
+  using Layers = std::conditional_t<kOptions.layers, LayerSorter, NoLayerSorter>;
   struct Parts {
     Store* store;
     Polygons* polygons;
@@ -44,10 +34,10 @@ class DepthSorter {
   };
 
   DepthSorter() = default;
-  explicit DepthSorter(const Parts& parts) : p_(parts) {}
+  explicit DepthSorter(const Parts& parts, const LayerStorage& layers) : p_(parts), layers_(layers, parts.polygons) {}
 
-  // Finds the visible segments of `line` and hands them to sink.span(const VisibleSpan&); steps every segment to the
-  // next line.
+  // Finds the visible segments of `line` and hands them to sink.span(const VisibleSpan&), or with VsgOptions::layers to
+  // sink.layers(const LayeredSpan&); steps every segment to the next line.
   template <typename Sink>
   void run(std::uint16_t line, Sink& sink) {
     line_ = line;
@@ -57,6 +47,7 @@ class DepthSorter {
     pending_left_ = 0;
     p_.samples->begin_line(p_.screen.width);
     p_.x_sort->start();
+    if constexpr (kOptions.layers) layers_.begin_line();
     std::int32_t left = 0;
     while (left < p_.screen.width) {
       const std::int32_t right = settle(left, p_.samples->right_of(left), sink);
@@ -73,6 +64,24 @@ class DepthSorter {
   // How many segments the active list had no room for on the line made last.
   std::uint32_t left_out() const { return left_out_; }
   void clear_statistics() { counters_ = {}; }
+  Layers& layers() { return layers_; }
+
+  // Depths as the layers see them.
+  Verdict compare(ActiveSegment& a, ActiveSegment& b, std::int32_t from, std::int32_t to) {
+    return contest(a, b, from, to);
+  }
+  std::int32_t crossing(ActiveSegment& a, ActiveSegment& b, std::int32_t from, std::int32_t to) {
+    return DepthComparator<kOptions.comparator>::crossing(make_contest(a, b, from, to), counters_.comparator_cycles);
+  }
+  const DepthRamp& ramp(ActiveSegment& entry) {
+    if (entry.has_ramp == 0) {
+      const bool triangle = ((*p_.polygons)[entry.polygon].flags & PolygonBlock::kTriangle) != 0;
+      if (!triangle) look_at(entry);
+      entry.ramp = ramp_of(entry);
+      entry.has_ramp = 1;
+    }
+    return entry.ramp;
+  }
 
  private:
   // What is known of a span: the nearest segment that covers all of it, and the visible box (III.G): those that are in
@@ -90,7 +99,7 @@ class DepthSorter {
   std::int32_t settle(std::int32_t left, std::int32_t right, Sink& sink) {
     for (;;) {
       Box box;
-      if (!compare_all(left, right, box)) continue;
+      if (!compare_all(left, right, box, sink)) continue;
       if (box.count <= 1) {
         decide(left, right, box, sink);
         return right;
@@ -101,26 +110,30 @@ class DepthSorter {
 
   // The depth comparator: every segment of the span, first the active ones, then those that begin in it. False where it
   // has to be done again because the active list was full: `right` is then further left, or the list is another.
-  bool compare_all(std::int32_t left, std::int32_t& right, Box& box) {
+  template <typename Sink>
+  bool compare_all(std::int32_t left, std::int32_t& right, Box& box, Sink& sink) {
     for (std::int32_t i = 0; i < active_count_; ++i) {
       if constexpr (kOptions.statistics) ++counters_.active_references;
       consider(p_.active[static_cast<std::size_t>(i)], left, right, box);
     }
     for (std::int32_t key = p_.x_sort->key(); key < right; key = p_.x_sort->key()) {
       if (key > left && box.count > 1) break;  // what begins further on cannot cover the span any more
+      if constexpr (kOptions.layers) {
+        if (!has_room_aside(left, key, right, sink)) return false;
+      }
       if (active_count_ == p_.active.capacity()) {
         if (key > left) {
           right = key;
         } else {
           ActiveSegment fresh;
           take(fresh);
-          leave_one_out(fresh);
+          if (!put_aside(fresh)) leave_one_out(fresh);
         }
         return false;
       }
       ActiveSegment& slot = p_.active[static_cast<std::size_t>(active_count_)];
       take(slot);
-      if (slot.left >= slot.right) continue;
+      if (put_aside(slot) || slot.left >= slot.right) continue;
       ++active_count_;
       note_active();
       consider(slot, left, right, box);
@@ -133,6 +146,34 @@ class DepthSorter {
       const auto count = static_cast<std::uint32_t>(active_count_);
       if (count > counters_.max_active) counters_.max_active = count;
     }
+  }
+
+  // Before a segment that begins at `key` is taken: whether there is room to put it aside, be that needed or not. What
+  // is finished up to `left` is shown first, then the span made to end where the segment begins; from there on, those
+  // that it finds are over its first pixel all of them.
+  template <typename Sink>
+  bool has_room_aside(std::int32_t left, std::int32_t key, std::int32_t& right, Sink& sink) {
+    if (!layers_.full()) return true;
+    flush(left, sink);
+    pending_left_ = left;
+    layers_.retire(left);
+    if (!layers_.full() || key <= left) return true;
+    right = key;
+    return false;
+  }
+
+  // Whether the segment is one that hides nothing: it is then among the layers.
+  bool put_aside(ActiveSegment& entry) {
+    if constexpr (kOptions.layers) {
+      if (!LayerSorter::takes((*p_.polygons)[entry.polygon])) return false;
+      entry.fresh = 0;
+      layers_.put(entry);
+      if constexpr (kOptions.statistics) {
+        if (layers_.used() > counters_.max_layers) counters_.max_layers = layers_.used();
+      }
+      return true;
+    }
+    return false;
   }
 
   // More segments lie over one pixel than the active list holds: of them and the new one, the highest face is left out.
@@ -239,15 +280,6 @@ class DepthSorter {
     return entry.fresh != 0 ? p_.store->held(entry.segment) : p_.store->fetch(entry.segment);
   }
 
-  const DepthRamp& ramp(ActiveSegment& entry) {
-    if (entry.has_ramp == 0) {
-      const bool triangle = ((*p_.polygons)[entry.polygon].flags & PolygonBlock::kTriangle) != 0;
-      if (!triangle) look_at(entry);
-      entry.ramp = ramp_of(entry);
-      entry.has_ramp = 1;
-    }
-    return entry.ramp;
-  }
   DepthRamp ramp_of(const ActiveSegment& entry) {
     PolygonBlock& polygon = (*p_.polygons)[entry.polygon];
     if ((polygon.flags & PolygonBlock::kTriangle) == 0) {
@@ -335,6 +367,9 @@ class DepthSorter {
 
   template <typename Sink>
   void flush(std::int32_t right, Sink& sink) {
+    if constexpr (kOptions.layers) {
+      if (pending_left_ == right) return;  // shown already, to make room aside
+    }
     if constexpr (kOptions.statistics) ++counters_.output_segments;
     VisibleSpan span;
     span.line = line_;
@@ -350,10 +385,14 @@ class DepthSorter {
       if (span.gouraud) span.shade = &p_.store->shade(pending_.segment);
       if constexpr (kOptions.taps) span.depth = ramp_of(pending_);
     }
+    if constexpr (kOptions.layers) {
+      if (!layers_.empty()) return layers_.template show<kOptions.taps>(span, pending_, *this, *p_.store, sink);
+    }
     sink.span(span);
   }
 
   Parts p_{};
+  [[no_unique_address]] Layers layers_;
   Counters<kOptions.statistics> counters_;
   std::uint16_t line_ = 0, left_out_ = 0;
   std::int32_t active_count_ = 0;

@@ -19,7 +19,8 @@ struct VsgStorage {
   PoolRef<ActiveSegment> active;
   PoolRef<std::int16_t> samples[2];
   PoolRef<ImpliedEdge> implied;
-  void* buckets = nullptr;  // XSortBuckets::Buckets, for XSort::buckets only
+  void* buckets = nullptr;   // XSortBuckets::Buckets, for XSort::buckets only
+  LayerStorage layers = {};  // for VsgOptions::layers only
 };
 
 // What a facet looks like: worked out by shade, carried by vsg.
@@ -27,6 +28,11 @@ struct FacetLook {
   std::uint16_t payload = 0;
   bool gouraud = false;  // colours along edges
   bool smooth = false;   // the shader makes pixels of a brightness of its own: VisibleSpan::smooth
+};
+
+// Likewise where there are layers. The payload and `look.color` are of one colour.
+struct LayeredLook : FacetLook {
+  PolygonLook look;
 };
 
 // Which facet: of all with one face, as those of a patch, each has its own `part`.
@@ -45,6 +51,8 @@ enum class Room : std::uint8_t {
 template <VsgOptions kOptions>
 class VisibleSegments {
  public:
+  using Look = std::conditional_t<kOptions.layers, LayeredLook, FacetLook>;
+
   VisibleSegments() = default;
   VisibleSegments(const VisibleSegments&) = delete;
   VisibleSegments& operator=(const VisibleSegments&) = delete;
@@ -66,7 +74,7 @@ class VisibleSegments {
   // Puts the reader's current facet in on `line`: its first line, or the first of the band. `colour` as
   // FacetReader::read.
   template <typename Colour>
-  Room add(std::uint16_t face, std::int32_t line, const FacetLook& look, const Colour& colour) {
+  Room add(std::uint16_t face, std::int32_t line, const Look& look, const Colour& colour) {
     const bool triangle = reader_->face().corners.size() == 3 && !reader_->clipped();
     return add({face}, triangle, line, look, [&](auto& sink) { reader_->read(colour, sink); });
   }
@@ -74,7 +82,7 @@ class VisibleSegments {
   // Likewise the facet whose contours `feed(sink)` hands out as FacetReader::read does. `triangle`: one that the reader
   // can read again under this face, for its plane.
   template <typename Feed>
-  Room add(const FacetName& name, bool triangle, std::int32_t line, const FacetLook& look, const Feed& feed);
+  Room add(const FacetName& name, bool triangle, std::int32_t line, const Look& look, const Feed& feed);
 
   // Generates `line`, the one after the last: sink.span(const VisibleSpan&), left to right.
   template <typename Sink>
@@ -98,6 +106,7 @@ class VisibleSegments {
 
   Room enter(std::uint16_t polygon, PlacedEdge edge, std::int32_t line);
   void enter_waiting(std::int32_t line);
+  static std::uint8_t flags_of(const Look& look, bool triangle);
   bool make_room(const char* pool, std::uint16_t capacity, const PolygonBlock& polygon, std::int32_t line);
   void note_pools();
 
@@ -126,7 +135,7 @@ VisibleSegments<kOptions>::VisibleSegments(const VsgStorage& storage, const Scre
       implied_(storage.implied),
       generator_(&store_, &polygons_),
       eliminator_(&store_, &polygons_, &x_sort_),
-      sorter_({&store_, &polygons_, &x_sort_, &samples_, &implied_, storage.active, reader, screen}),
+      sorter_({&store_, &polygons_, &x_sort_, &samples_, &implied_, storage.active, reader, screen}, storage.layers),
       reader_(reader),
       active_capacity_(storage.active.capacity()) {
   if constexpr (kOptions.x_sort == XSort::buckets) x_sort_.use(static_cast<typename Sort::Buckets*>(storage.buckets));
@@ -184,22 +193,31 @@ struct VisibleSegments<kOptions>::EdgeSink {
 
 template <VsgOptions kOptions>
 template <typename Feed>
-Room VisibleSegments<kOptions>::add(const FacetName& name, bool triangle, std::int32_t line, const FacetLook& look,
+Room VisibleSegments<kOptions>::add(const FacetName& name, bool triangle, std::int32_t line, const Look& look,
                                     const Feed& feed) {
   CHECK(!look.gouraud || has_colours());
-  const auto flags =
-      static_cast<std::uint8_t>((triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0) |
-                                (look.smooth ? PolygonBlock::kSmooth : 0));
+  const std::uint8_t flags = flags_of(look, triangle);
   const PolygonBlock block{name.face, 0, 0, 0, look.payload, flags, {}, name.part};
   std::uint16_t polygon = polygons_.open(block);
   while (polygon == 0) {
     if (!make_room("polygons", polygons_.capacity(), block, line)) return Room::left_out;
     polygon = polygons_.open(block);
   }
+  if constexpr (kOptions.layers) sorter_.layers().look(polygon) = look.look;
   polygons_.change(polygon);
   EdgeSink sink{*this, polygon, line};
   feed(sink);
   return sink.room;
+}
+
+template <VsgOptions kOptions>
+std::uint8_t VisibleSegments<kOptions>::flags_of(const Look& look, bool triangle) {
+  int flags = (triangle ? PolygonBlock::kTriangle : 0) | (look.gouraud ? PolygonBlock::kGouraud : 0) |
+              (look.smooth ? PolygonBlock::kSmooth : 0);
+  if constexpr (kOptions.layers) {
+    if (look.look.parent != kNoFace || look.look.transmission != Rgb8{}) flags |= PolygonBlock::kAside;
+  }
+  return static_cast<std::uint8_t>(flags);
 }
 
 // Files an edge; while there is no block for it, the highest face goes, perhaps the edge's own.
@@ -263,6 +281,13 @@ void VisibleSegments<kOptions>::run(std::uint16_t line, Sink& sink) {
   if (sorter_.left_out() != 0) {
     const std::uint32_t capacity = active_capacity_;
     status_ = {Code::pool_exhausted, "active", "", 0, line, capacity + sorter_.left_out(), capacity};
+  }
+  if constexpr (kOptions.layers) {
+    const LayerSorter& layers = sorter_.layers();
+    if (layers.left_out() != 0) {
+      const std::uint32_t capacity = layers.capacity();
+      status_ = {Code::pool_exhausted, "layers", "", 0, line, capacity + layers.left_out(), capacity};
+    }
   }
   x_sort_.begin_line();
 }
