@@ -42,6 +42,10 @@ int main(int argc, char** argv) try {
   save(folder, "letters.obj", make::letters(), "The word SPAN; a bridge edge joins each hole to its outline");
   save(folder, "cubes.obj", make::penetrating_cubes(), "Three cubes through one another", "cubes.mtl");
   save(folder, "floor.obj", make::checkered_floor(8), "A checkered floor", "floor.mtl");
+  save(folder, "die_ivory.obj", make::die("ivory", "ink"), "A die; its pips lie on its sides", "dice.mtl");
+  save(folder, "die_red.obj", make::die("red", "chalk"), "The same in red", "dice.mtl");
+  save(folder, "house.obj", make::house(), "A house on its lawn; windows, door and path lie on other faces",
+       "house.mtl");
   save(folder, "landscape.obj", make::landscape(24), "Hills round a lake", "landscape.mtl");
   return 0;
 } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <istream>
+#include <string>
 
 #include "mesh.hpp"
 
@@ -37,6 +38,12 @@ Mesh penetrating_cubes();
 
 // A floor of `squares` x `squares` in two materials, from -1 to 1 in x and z.
 Mesh checkered_floor(int squares);
+
+// A die of side 2; the pips are faces of their own that lie on its sides, after them in the file.
+Mesh die(const std::string& body, const std::string& pips);
+
+// A house with gables on a lawn, and two firs; windows, door and path are faces that lie on others, in layers.
+Mesh house();
 
 // Hills and a lake of `cells` x `cells` split quads, each triangle flat, coloured by height and slope.
 Mesh landscape(int cells);

@@ -1,5 +1,7 @@
 #include "assetc/compile.hpp"
 
+#include "assetc/bake.hpp"
+#include "assetc/detail.hpp"
 #include "assetc/extent.hpp"
 #include "assetc/fans.hpp"
 #include "assetc/fixed_point.hpp"
@@ -152,6 +154,7 @@ void CompiledScene::place_instances(std::int64_t frame) {
 }
 
 void CompiledScene::show(std::int64_t frame) {
+  if (unshadowed_ && baked_ != frame && shadows_move(*unshadowed_)) make_records(frame);
   place_instances(frame);
   look(view_in_frame(scene_.camera, bounds_, scene_.height, frame, scene_.place));
 }
@@ -186,31 +189,47 @@ SceneRecord CompiledScene::record() const {
           slice(materials_),
           slice(lights_),
           {to_q8(scene_.ambient.x), to_q8(scene_.ambient.y), to_q8(scene_.ambient.z)},
-          scene_.background};
+          scene_.background,
+          slice(scene_.reaches)};
 }
 
 CompiledScene compile(SceneDescription description, double reach) {
   description.materials.push_back({});  // the last one serves faces that have none
   CompiledScene out(std::move(description));
   const SceneDescription& scene = out.scene_;
-  check_counts(scene);
   std::vector<Box> boxes;
   for (const MeshSource& mesh : scene.meshes) boxes.push_back(used_box(mesh));
   out.bounds_ = bounding_sphere(scene);
   Box world = reach_of_instances(scene, boxes);
   world.add(reach_of_eyes(out, scene, reach));
   out.fit_ = fit_world(world);
-  const std::vector<MeshUse> uses = uses_of(scene);
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    out.mesh_fits_.push_back(fit_mesh(boxes[i], uses[i].stretch, out.fit_));
-    out.meshes_.push_back(
-        compile_mesh(scene.meshes[i], scene.materials, out.mesh_fits_[i], uses[i].smooth, uses[i].on_screen));
-  }
-  check_totals(scene, out.meshes_);
-  for (const MeshTables& mesh : out.meshes_) out.mesh_records_.push_back(mesh.record());
-  for (const MaterialSpec& material : scene.materials) out.materials_.push_back({material.color, material.shading});
+  if (scene.shadows) out.unshadowed_ = scene;
+  out.make_records(0);
   out.show(0);
   return out;
+}
+
+// Bakes shadows, where there are any, and builds all that does not move.
+void CompiledScene::make_records(std::int64_t frame) {
+  if (unshadowed_) scene_ = bake_shadows(*unshadowed_, frame);
+  baked_ = frame;
+  const SceneDescription& scene = scene_;
+  check_counts(scene);
+  mesh_fits_.clear();
+  meshes_.clear();
+  mesh_records_.clear();
+  materials_.clear();
+  for (const MeshSource& mesh : scene.meshes) check_detail(mesh, scene.materials);
+  const std::vector<MeshUse> uses = uses_of(scene);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    mesh_fits_.push_back(fit_mesh(used_box(scene.meshes[i]), uses[i].stretch, fit_));
+    meshes_.push_back(compile_mesh(scene.meshes[i], scene.materials, mesh_fits_[i], uses[i].smooth, uses[i].on_screen));
+  }
+  check_totals(scene, meshes_);
+  for (const MeshTables& mesh : meshes_) mesh_records_.push_back(mesh.record());
+  for (const MaterialSpec& material : scene.materials) {
+    materials_.push_back({material.color, material.shading, material.transmission, material.reach});
+  }
 }
 
 }  // namespace spanline::host

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct MeshTables {
   std::vector<std::uint16_t> contours;
   std::vector<FaceGroup> groups;
   std::vector<CurveRecord> curves;
+  std::vector<std::uint16_t> parents;
   std::uint16_t face_count = 0;
   Fx16 origin[3];
   std::int32_t unit = 1;
@@ -82,8 +84,11 @@ class CompiledScene {
   friend CompiledScene compile(SceneDescription scene, double reach);
   explicit CompiledScene(SceneDescription scene) : scene_(std::move(scene)) {}
   void place_instances(std::int64_t frame);
+  void make_records(std::int64_t frame);
 
   SceneDescription scene_;
+  std::optional<SceneDescription> unshadowed_;  // what shadows are baked from, where there are any
+  std::int64_t baked_ = 0;                      // the frame that they were baked in
   Sphere bounds_;
   WorldFit fit_;
   std::vector<MeshFit> mesh_fits_;

@@ -90,6 +90,7 @@ void emit_mesh_tables(std::ostringstream& out, const MeshTables& mesh, const std
   emit_table(out, "spanline::Normal10", "kFaceNormals" + suffix, mesh.face_normals, normal);
   emit_table(out, "std::uint16_t", "kCorners" + suffix, mesh.corners, number);
   emit_table(out, "std::uint16_t", "kContours" + suffix, mesh.contours, number);
+  emit_table(out, "std::uint16_t", "kParents" + suffix, mesh.parents, number);
   emit_table(out, "spanline::FaceGroup", "kGroups" + suffix, mesh.groups, [](const FaceGroup& g) {
     return braces(g.first_corner, g.first_face, g.face_count, g.corners_per_face, g.first_contour, g.contour_count,
                   g.material);
@@ -122,7 +123,7 @@ std::string mesh_record(const MeshTables& mesh, const std::string& suffix) {
       << slice_of("kGroups" + suffix, mesh.groups.size()) << ", " << mesh.face_count << ", " << fixed3(mesh.origin)
       << ", " << mesh.unit << ", " << slice_of("kFanStarts" + suffix, mesh.fan_starts.size()) << ", "
       << slice_of("kFans" + suffix, mesh.fans.size()) << ", " << slice_of("kCurves" + suffix, mesh.curves.size())
-      << "}";
+      << ", " << slice_of("kParents" + suffix, mesh.parents.size()) << "}";
   return out.str();
 }
 
@@ -145,7 +146,7 @@ void emit_scene(std::ostringstream& out, const CompiledScene& scene) {
   out << "constinit const spanline::SceneRecord scene = {\n    kMeshes, kInstances, kMaterials, "
       << slice_of("kLights", record.lights.size()) << ",\n    "
       << braces(record.ambient[0], record.ambient[1], record.ambient[2]) << ", {" << rgb(record.background.top) << ", "
-      << rgb(record.background.bottom) << "}};\n\n";
+      << rgb(record.background.bottom) << "}, " << slice_of("kReaches", record.reaches.size()) << "};\n\n";
   const CameraRecord& camera = scene.camera();
   out << "constinit const spanline::CameraRecord camera = {\n    " << fixed3(camera.eye) << ",\n    {"
       << fixed3(camera.axes[0]) << ",\n     " << fixed3(camera.axes[1]) << ",\n     " << fixed3(camera.axes[2])
@@ -182,11 +183,17 @@ std::string emit_source(const CompiledScene& scene, const std::string& name, con
   emit_table(out, "spanline::InstanceRecord", "kInstances", scene.instances(), instance_record);
   emit_table(out, "spanline::MaterialRecord", "kMaterials", scene.materials(), [](const MaterialRecord& m) {
     constexpr const char* kNames[] = {"kFlat", "kGouraud", "kUnlit"};
-    return "{" + rgb(m.color) + ", spanline::MaterialRecord::" + kNames[m.shading] + "}";
+    return "{" + rgb(m.color) + ", spanline::MaterialRecord::" + kNames[m.shading] + ", " + rgb(m.transmission) + ", " +
+           std::to_string(m.reach) + "}";
   });
   emit_table(out, "spanline::LightRecord", "kLights", scene.lights(), [](const LightRecord& light) {
     return "{" + fixed3(light.direction) + ", " + braces(light.intensity[0], light.intensity[1], light.intensity[2]) +
            "}";
+  });
+  emit_table(out, "spanline::ReachRecord", "kReaches", scene.description().reaches, [](const ReachRecord& reach) {
+    std::string lights;
+    for (const Rgb8& light : reach.light) lights += (lights.empty() ? "" : ", ") + rgb(light);
+    return "{{" + lights + "}}";
   });
   out << "\n}  // namespace\n\n";
   emit_scene(out, scene);
@@ -204,14 +211,15 @@ TableSizes table_sizes(const CompiledScene& scene) {
     }
     sizes.positions += mesh.positions.size() * sizeof(Position);
     sizes.normals += (mesh.vertex_normals.size() + mesh.face_normals.size()) * sizeof(Normal10);
-    sizes.indices += (mesh.corners.size() + mesh.contours.size()) * sizeof(std::uint16_t);
+    sizes.indices += (mesh.corners.size() + mesh.contours.size() + mesh.parents.size()) * sizeof(std::uint16_t);
     sizes.groups += mesh.groups.size() * sizeof(FaceGroup);
     sizes.fans += mesh.fan_starts.size() * sizeof(std::uint16_t) + mesh.fans.size() * sizeof(FanEdge);
     sizes.curves += mesh.curves.size() * sizeof(CurveRecord);
   }
-  constexpr std::size_t kMeshBytes = 4 + 9 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
+  constexpr std::size_t kMeshBytes = 4 + 10 * 8 + 4 + 12 + 4;  // pointers and sizes are 4 bytes there
   sizes.records = scene.meshes().size() * kMeshBytes + scene.instances().size() * sizeof(InstanceRecord) +
-                  scene.materials().size() * sizeof(MaterialRecord) + scene.lights().size() * sizeof(LightRecord);
+                  scene.materials().size() * sizeof(MaterialRecord) + scene.lights().size() * sizeof(LightRecord) +
+                  scene.description().reaches.size() * sizeof(ReachRecord);
   return sizes;
 }
 

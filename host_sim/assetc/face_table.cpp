@@ -27,7 +27,8 @@ void append_face(MeshTables& tables, const TableFace& face, const std::string& p
                                                                           : face.rings.size());
   const std::uint16_t first_ring = add_rings(tables, face.rings, place);
   const auto continues = [&](const FaceGroup& group) {
-    return group.corners_per_face == corner_count && group.contour_count == ring_count &&
+    return face.first_corner == group.first_corner + std::uint32_t{group.face_count} * group.corners_per_face &&
+           group.corners_per_face == corner_count && group.contour_count == ring_count &&
            group.first_contour == first_ring && group.material == face.material;
   };
   if (tables.groups.empty() || !continues(tables.groups.back())) {

@@ -42,8 +42,9 @@ std::vector<Face> faces_of(const MeshTables& mesh) {
 class Merger {
  public:
   Merger(const MeshTables& mesh, const std::string& place, std::uint32_t most_corners)
-      : mesh_(mesh), place_(place), most_corners_(most_corners), faces_(faces_of(mesh)) {
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      : mesh_(mesh), place_(place), most_corners_(most_corners), faces_(faces_of(mesh)), home_(faces_.size()) {
+    std::iota(home_.begin(), home_.end(), std::size_t{0});
+    for (std::size_t i = 0; i < first_detail(); ++i) {
       for_each_edge(faces_[i], [&](std::uint16_t from, std::uint16_t to) { over_.insert({{from, to}, i}); });
     }
   }
@@ -92,7 +93,10 @@ class Merger {
     return near;
   }
 
+  std::size_t first_detail() const { return faces_.size() - mesh_.parents.size(); }
+
   bool belongs(std::size_t seed, std::size_t face) const {
+    if (seed >= first_detail()) return false;
     const Face& a = faces_[seed];
     const Face& b = faces_[face];
     if (a.material != b.material || mesh_.face_normals[seed].packed != mesh_.face_normals[face].packed) return false;
@@ -128,8 +132,12 @@ class Merger {
     if (!edges.cancelled_any() || !small) return false;
     std::optional<std::vector<Ring>> rings = edges.outline(mesh_.positions, faces_[group[0]].normal);
     if (!rings) return false;
-    for (const std::size_t face : group) faces_[face].rings.clear();
-    faces_[*std::min_element(group.begin(), group.end())].rings = std::move(*rings);
+    const std::size_t home = *std::min_element(group.begin(), group.end());
+    for (const std::size_t face : group) {
+      faces_[face].rings.clear();
+      home_[face] = home;
+    }
+    faces_[home].rings = std::move(*rings);
     return true;
   }
 
@@ -147,9 +155,11 @@ class Merger {
     out.name = mesh_.name;
     out.unit = mesh_.unit;
     std::copy(std::begin(mesh_.origin), std::end(mesh_.origin), out.origin);
+    std::vector<std::uint16_t> now(faces_.size());  // the numbers of those that are left
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const std::vector<Ring>& rings = faces_[i].rings;
       if (rings.empty()) continue;
+      now[i] = out.face_count;
       TableFace face{static_cast<std::uint32_t>(out.corners.size()), 0, {}, faces_[i].material};
       for (const Ring& ring : rings) {
         if (rings.size() > 1) face.rings.push_back(static_cast<std::uint16_t>(ring.size()));
@@ -167,6 +177,7 @@ class Merger {
       }
       out.curves.push_back(curve);
     }
+    for (const std::uint16_t parent : mesh_.parents) out.parents.push_back(now[home_[parent]]);
     return out;
   }
 
@@ -174,6 +185,7 @@ class Merger {
   const std::string& place_;
   const std::uint32_t most_corners_;
   std::vector<Face> faces_;
+  std::vector<std::size_t> home_;                                             // the face that each has become part of
   std::multimap<std::pair<std::uint16_t, std::uint16_t>, std::size_t> over_;  // directed edge to the faces that have it
   std::vector<bool> taken_ = std::vector<bool>(faces_.size());
   std::map<std::uint16_t, std::uint16_t> numbers_;

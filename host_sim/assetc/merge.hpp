@@ -14,7 +14,8 @@ namespace spanline::host {
 // the 16-bit grid of the plane of the largest of them; what comes out may be concave and have holes. Edges that a face
 // runs to and fro, as OBJ's bridges to its holes, go as well. Vertices on an outline stay even where it is straight
 // there, so that neighbours still meet; a group whose outline would touch itself or overlap is left alone. A merged
-// face takes the place of its lowest-numbered part. Meshes on the screen come back as they are. `place` is for
+// face takes the place of its lowest-numbered part; surface detail stays as
+// it is, on the face that its parent has become part of. Meshes on the screen come back as they are. `place` is for
 // messages.
 //
 // All edges of a face wait for their first line at once, 32 bytes each in the engine's edge pool: hence `most_corners`

@@ -122,14 +122,15 @@ MeshRecord MeshTables::record() const {
           unit,
           view_of(fan_starts),
           view_of(fans),
-
-          view_of(curves)};
+          view_of(curves),
+          view_of(parents)};
 }
 
 MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>& materials, const MeshFit& fit,
                         bool smooth, bool on_screen) {
   MeshTables tables;
   tables.name = mesh.name;
+  tables.parents = mesh.parents;
   VertexTable vertices(smooth);
   add_corners(mesh, vertices, tables);
   if (on_screen) {

@@ -29,6 +29,7 @@ struct ObjFace {
 struct ObjMaterial {
   std::string name;
   Color color;
+  Color transmission{};  // what part of the light from behind comes through, of 255
 };
 
 struct ObjMesh {
@@ -48,8 +49,9 @@ ObjMesh read_obj(const std::string& path);
 // The same from text in memory; `name` stands for the file in messages and its folder is where material libraries are.
 ObjMesh parse_obj(const std::string& name, std::string_view text);
 
-// The materials of an MTL file: `newmtl` and `Kd`; other statements of the format are passed over. A material without
-// `Kd` is white. Throws InputError with file and line.
+// The materials of an MTL file: `newmtl`, `Kd`, `d` (how opaque), `Tr` (1 - d; where both stand, `d` counts) and `Tf`
+// (the colour of what comes through); other statements of the format are passed over. A material without `Kd` is white.
+// Throws InputError with file and line.
 std::vector<ObjMaterial> read_mtl(const std::string& path);
 std::vector<ObjMaterial> parse_mtl(const std::string& name, std::string_view text);
 

@@ -11,7 +11,8 @@ namespace spanline::host {
 // Zero where the ring has no area.
 Vec3 newell_normal(const MeshSource& mesh, const MeshFace& face);
 
-// For each position, the sum of the normals of the faces around it: area-weighted. Not of unit length.
+// For each position, the sum of the normals of the faces around it: area-weighted. Not of unit length. Surface detail
+// counts only where it has corners of its own.
 std::vector<Vec3> position_normals(const MeshSource& mesh);
 
 }  // namespace spanline::host

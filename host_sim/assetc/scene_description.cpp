@@ -66,7 +66,7 @@ CurveRecord MeshCurve::record(std::uint16_t default_material) const {
 
 std::int32_t add_obj(SceneDescription& scene, const ObjMesh& obj, const std::string& name, const std::string& place,
                      MeshShading shading) {
-  MeshSource mesh{name, place, obj.positions, obj.normals, obj.corners, {}, {}, {}};
+  MeshSource mesh{name, place, obj.positions, obj.normals, obj.corners, {}, {}, {}, {}};
   std::map<std::pair<std::int32_t, Shading>, std::int32_t>
       made;  // material of the file and shading, to that of the scene
   mesh.faces.reserve(obj.faces.size());
@@ -79,6 +79,7 @@ std::int32_t add_obj(SceneDescription& scene, const ObjMesh& obj, const std::str
       if (face.material != kNone) {
         material.name = obj.materials[static_cast<std::size_t>(face.material)].name;
         material.color = obj.materials[static_cast<std::size_t>(face.material)].color;
+        material.transmission = obj.materials[static_cast<std::size_t>(face.material)].transmission;
       }
       scene.materials.push_back(material);
     }

@@ -17,6 +17,8 @@ struct MaterialSpec {
   std::string name;
   Color color{200, 205, 215};
   Shading shading = Shading::kFlat;
+  Color transmission{};                             // MaterialRecord::transmission
+  std::uint16_t reach = MaterialRecord::kAllLight;  // into SceneDescription::reaches
 };
 
 // A face of one or more rings; the first is the outline, whose direction says which side is the front. With ring_count
@@ -51,6 +53,7 @@ struct MeshSource {
   std::vector<std::uint16_t> rings;  // ring lengths of faces with several
   std::vector<MeshFace> faces;       // all polygons or all patches
   std::vector<MeshCurve> curves;
+  std::vector<std::uint16_t> parents;  // the last faces are surface detail on these (detail.hpp)
 
   bool of_patches() const { return !faces.empty() && faces[0].ring_count == FaceGroup::kPatches; }
 };
@@ -64,6 +67,7 @@ struct InstanceSpec {
   bool cull = true;
   bool hidden = false;
   bool on_screen = false;           // see InstanceRecord::kScreen; positions in 1/16 px
+  bool shadows = true;              // throws shadows and has them thrown on, where the scene has any
   std::optional<Placement> matrix;  // given as it is; otherwise by `pose`
   bool turn_by_axis = false;  // how the four turn numbers of the pose are meant: x, y, z, angle; or x, y, z angles
   Pose pose{0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
@@ -94,7 +98,9 @@ struct SceneDescription {
   Vec3 ambient{0.25, 0.25, 0.25};
   std::optional<std::vector<LightSpec>> lights;  // absent: the default light
   BackgroundRecord background{{18, 22, 42}, {66, 76, 104}};
+  bool shadows = false;  // to be baked (bake.hpp)
   std::vector<MaterialSpec> materials;
+  std::vector<ReachRecord> reaches;  // made by baking (bake.hpp)
   std::vector<MeshSource> meshes;
   std::vector<InstanceSpec> instances;
 };

@@ -1,8 +1,10 @@
 #include "assetc/scene_json.hpp"
 
 #include <map>
+#include <optional>
 
 #include "assetc/curve_json.hpp"
+#include "assetc/detail.hpp"
 #include "assetc/json_node.hpp"
 #include "assetc/motion_json.hpp"
 #include "assetc/patch_mesh.hpp"
@@ -104,9 +106,28 @@ T read_choice(const JsonNode& node, const std::map<std::string, T>& choices) {
   node.fail("must be one of " + all);
 }
 
+Vec3 read_parts(const JsonNode& node) {
+  if (!node.is_array()) {
+    const double all = node.number(0, 1);
+    return {all, all, all};
+  }
+  if (node.size() != 3) node.fail("must be a number or three");
+  const std::vector<JsonNode> each = node.elements();
+  return {each[0].number(0, 1), each[1].number(0, 1), each[2].number(0, 1)};
+}
+
+Color read_transmission(const JsonNode& material) {
+  const std::optional<JsonNode> opacity = material.find("opacity"), given = material.find("transmission");
+  if (opacity && given) material.fail("'opacity' and 'transmission' exclude each other");
+  Vec3 part;
+  if (opacity) part = (1 - opacity->number(0, 1)) * Vec3{1, 1, 1};
+  if (given) part = read_parts(*given);
+  return {channel(part.x), channel(part.y), channel(part.z)};
+}
+
 void read_materials(const JsonNode& node, SceneDescription& scene, Names& names) {
   for (const JsonNode& each : node.elements()) {
-    each.allow_keys({"name", "color", "shading"});
+    each.allow_keys({"name", "color", "shading", "opacity", "transmission"});
     add_name(each.require("name"), names, scene.materials.size());
     MaterialSpec material;
     material.name = each.require("name").text();
@@ -115,6 +136,7 @@ void read_materials(const JsonNode& node, SceneDescription& scene, Names& names)
       material.shading = read_choice<Shading>(
           *shading, {{"flat", Shading::kFlat}, {"gouraud", Shading::kGouraud}, {"unlit", Shading::kUnlit}});
     }
+    material.transmission = read_transmission(each);
     scene.materials.push_back(material);
   }
 }
@@ -162,6 +184,24 @@ void read_faces(const JsonNode& node, MeshSource& mesh, std::int32_t material) {
   for (const JsonNode& face : faces) read_face(face, mesh, material);
 }
 
+void read_detail(const JsonNode& node, MeshSource& mesh, std::int32_t mesh_material, const Names& materials) {
+  const std::int64_t faces = std::ssize(mesh.faces);
+  for (const JsonNode& each : node.elements()) {
+    each.allow_keys({"on", "material", "faces"});
+    const auto parent = static_cast<std::uint16_t>(each.require("on").whole(0, faces - 1));
+    std::int32_t material = mesh_material;
+    if (const auto given = each.find("material")) material = look_up(*given, materials, "material");
+    for (const JsonNode& face : each.require("faces").elements(1)) {
+      read_face(face, mesh, material);
+      if (mesh.faces.size() > kMaxSceneFaces) face.fail("more than 65535 faces in one mesh");
+      mesh.parents.push_back(parent);
+      if (!lies_on(mesh, mesh.faces[parent], mesh.faces.back())) {
+        face.fail("does not lie in the plane of face " + std::to_string(parent));
+      }
+    }
+  }
+}
+
 void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names& materials) {
   MeshSource mesh;
   mesh.name = node.require("name").text();
@@ -177,6 +217,8 @@ void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names
     read_vertices(node, mesh);
     read_faces(node, mesh, material);
   }
+  if (const auto detail = node.find("detail")) read_detail(*detail, mesh, material, materials);
+  turn_detail(mesh);
   if (curves) read_curves(*curves, mesh, material, material_of);
   if (isocurves) read_isocurves(*isocurves, mesh, material, material_of);
   scene.meshes.push_back(std::move(mesh));
@@ -185,7 +227,6 @@ void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names
 // A mesh from the file that `key` names: add(path, name, place, shading).
 template <typename Add>
 void read_mesh_file(const JsonNode& node, const char* key, const Add& add) {
-  node.allow_keys({"name", key, "shading"});
   const JsonNode file = node.require(key);
   const std::string path = path_beside(node.file(), file.text());
   const std::string name = node.require("name").text();
@@ -212,12 +253,21 @@ void read_meshes(const JsonNode& node, SceneDescription& scene, const Names& mat
       add_patches(scene, read_bpt(path), rest...);
     };
     if (each.find("obj")) {
+      each.allow_keys({"name", "obj", "shading", "detail"});
       read_mesh_file(each, "obj", add_obj_file);
+      if (const auto detail = each.find("detail")) {
+        std::vector<std::string> names_of_detail;
+        for (const JsonNode& name : detail->elements()) names_of_detail.push_back(name.text());
+        set_detail(scene.meshes.back(), scene.materials, names_of_detail);
+      }
     } else if (each.find("bpt")) {
+      each.allow_keys({"name", "bpt", "shading"});
       read_mesh_file(each, "bpt", add_bpt_file);
+    } else if (each.find("patches")) {
+      each.allow_keys({"name", "vertices", "patches", "curves", "isocurves", "material"});
+      read_inline_mesh(each, scene, materials);
     } else {
-      each.allow_keys(
-          {"name", "vertices", each.find("patches") ? "patches" : "faces", "curves", "isocurves", "material"});
+      each.allow_keys({"name", "vertices", "faces", "curves", "isocurves", "material", "detail"});
       read_inline_mesh(each, scene, materials);
     }
   }
@@ -262,14 +312,15 @@ void scale_screen_meshes(const JsonNode& node, SceneDescription& scene) {
 
 void read_instances(const JsonNode& node, SceneDescription& scene, const Names& materials, const Names& meshes) {
   for (const JsonNode& each : node.elements(1)) {
-    each.allow_keys(
-        {"mesh", "material", "matrix", "translate", "rotate", "scale", "cull", "hidden", "screen", "motion"});
+    each.allow_keys({"mesh", "material", "matrix", "translate", "rotate", "scale", "cull", "hidden", "shadows",
+                     "screen", "motion"});
     InstanceSpec instance;
     instance.mesh = look_up(each.require("mesh"), meshes, "mesh");
     if (const auto material = each.find("material")) instance.material = look_up(*material, materials, "material");
     instance.cull = !scene.meshes[static_cast<std::size_t>(instance.mesh)].of_patches();
     if (const auto cull = each.find("cull")) instance.cull = cull->boolean();
     if (const auto hidden = each.find("hidden")) instance.hidden = hidden->boolean();
+    if (const auto shadows = each.find("shadows")) instance.shadows = shadows->boolean();
     read_placement(each, instance);
     read_screen(each, instance);
     scene.instances.push_back(instance);
@@ -282,7 +333,8 @@ void read_instances(const JsonNode& node, SceneDescription& scene, const Names& 
 SceneDescription parse_scene(const std::string& name, std::string_view text) {
   const nlohmann::json document = parse_json(name, text);
   const JsonNode root(document, name);
-  root.allow_keys({"size", "camera", "ambient", "lights", "background", "materials", "meshes", "instances", "hidden"});
+  root.allow_keys(
+      {"size", "camera", "ambient", "lights", "background", "shadows", "materials", "meshes", "instances", "hidden"});
   SceneDescription scene;
   scene.place = name;
   Names materials, meshes;
@@ -291,6 +343,7 @@ SceneDescription parse_scene(const std::string& name, std::string_view text) {
   if (const auto ambient = root.find("ambient")) scene.ambient = read_intensity(*ambient);
   if (const auto lights = root.find("lights")) scene.lights = read_lights(*lights);
   if (const auto background = root.find("background")) scene.background = read_background(*background);
+  if (const auto shadows = root.find("shadows")) scene.shadows = shadows->boolean();
   if (const auto list = root.find("materials")) read_materials(*list, scene, materials);
   read_meshes(root.require("meshes"), scene, materials, meshes);
   read_instances(root.require("instances"), scene, materials, meshes);

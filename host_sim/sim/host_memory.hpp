@@ -52,13 +52,13 @@ class HostMemory {
   Blocks<ActiveSegment> active_;
   Blocks<std::int16_t> samples_[2];
   Blocks<ImpliedEdge> implied_;
+  Blocks<PolygonLook> polygon_looks_;
+  Blocks<ActiveSegment> aside_;
+  Blocks<Layer> stack_;
   Blocks<DicedFacet> patch_facets_;
   Blocks<ScreenPoint> patch_vertices_;
   Blocks<Normal10> patch_normals_;
   std::uint16_t patch_tolerance_;
-  Blocks<PolygonLook> looks_;
-  Blocks<ActiveSegment> aside_;
-  Blocks<Layer> stack_;
   Blocks<ScreenXY> points_;  // the edge walker's from here on
   Blocks<std::uint16_t> links_;
   Blocks<std::uint16_t> vertex_buckets_;
