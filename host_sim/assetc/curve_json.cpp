@@ -31,6 +31,13 @@ MeshCurve read_look(const JsonNode& node, std::int32_t material, const MaterialO
   return curve;
 }
 
+void append_points(MeshSource& mesh, const std::vector<Vec3>& points) {
+  for (const Vec3& point : points) {
+    mesh.corners.push_back({static_cast<std::int32_t>(mesh.positions.size())});
+    mesh.positions.push_back(point);
+  }
+}
+
 void append(const JsonNode& node, MeshSource& mesh, MeshCurve curve, const std::vector<Vec3>& points) {
   if (mesh.curves.size() == kMostCurves) node.fail("more than 65535 curves in one mesh");
   if (points.size() > 65535) node.fail("has more than 65535 points");
@@ -38,10 +45,7 @@ void append(const JsonNode& node, MeshSource& mesh, MeshCurve curve, const std::
   curve.point_count = static_cast<std::uint16_t>(points.size());
   if (curve.record(0).pieces() == 0)
     node.fail("has " + std::to_string(points.size()) + " points: no whole number of pieces");
-  for (const Vec3& point : points) {
-    mesh.corners.push_back({static_cast<std::int32_t>(mesh.positions.size())});
-    mesh.positions.push_back(point);
-  }
+  append_points(mesh, points);
   mesh.curves.push_back(curve);
 }
 
@@ -70,6 +74,32 @@ void read_curves(const JsonNode& node, MeshSource& mesh, std::int32_t material, 
   for (const JsonNode& each : node.elements(1)) {
     if (!each.is_object()) each.fail("must be an object");
     read_curve(each, mesh, material, material_of);
+  }
+}
+
+void read_outlines(const JsonNode& node, MeshSource& mesh, std::int32_t material, const MaterialOf& material_of) {
+  for (const JsonNode& each : node.elements(1)) {
+    if (!each.is_object()) each.fail("must be an object");
+    each.allow_keys({"path", "material"});
+    const std::int32_t own = each.find("material") ? material_of(each.require("material")) : material;
+    const JsonNode path = each.require("path");
+    MeshFace face{static_cast<std::uint32_t>(mesh.corners.size()),
+                  0,
+                  static_cast<std::uint32_t>(mesh.rings.size()),
+                  0,
+                  own,
+                  true};
+    const std::vector<PathContour> contours = read_svg_path(path);
+    for (const PathContour& contour : contours) {
+      if (!contour.closed) path.fail("a subpath is not closed");
+      if (contour.points.size() < 6) path.fail("a subpath has fewer than two pieces");
+      face.corner_count += static_cast<std::uint32_t>(contour.points.size());
+      if (face.corner_count > 65535) path.fail("has more than 65535 points");
+      if (contours.size() > 1) mesh.rings.push_back(static_cast<std::uint16_t>(contour.points.size()));
+      append_points(mesh, contour.points);
+    }
+    face.ring_count = static_cast<std::uint32_t>(contours.size());
+    mesh.faces.push_back(face);
   }
 }
 

@@ -14,6 +14,9 @@ using MaterialOf = std::function<std::int32_t(const JsonNode&)>;
 // Appends what "curves" lists to the mesh; `material`: of those that name none. Throws InputError.
 void read_curves(const JsonNode& node, MeshSource& mesh, std::int32_t material, const MaterialOf& material_of);
 
+// Appends the faces that "outlines" lists. Throws InputError.
+void read_outlines(const JsonNode& node, MeshSource& mesh, std::int32_t material, const MaterialOf& material_of);
+
 // Appends the isocurves of a patch file. Throws InputError.
 void read_isocurves(const JsonNode& node, MeshSource& mesh, std::int32_t material, const MaterialOf& material_of);
 

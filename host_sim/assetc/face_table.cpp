@@ -22,9 +22,8 @@ std::uint16_t add_rings(MeshTables& tables, const std::vector<std::uint16_t>& ri
 
 void append_face(MeshTables& tables, const TableFace& face, const std::string& place) {
   const auto corner_count = static_cast<std::uint16_t>(face.corner_count);
-  const auto ring_count = static_cast<std::uint16_t>(face.patch           ? FaceGroup::kPatches
-                                                     : face.rings.empty() ? 1
-                                                                          : face.rings.size());
+  const std::size_t rings = face.patch ? FaceGroup::kPatches : face.rings.empty() ? 1 : face.rings.size();
+  const auto ring_count = static_cast<std::uint16_t>(rings | (face.curved ? FaceGroup::kCurved : 0));
   const std::uint16_t first_ring = add_rings(tables, face.rings, place);
   const auto continues = [&](const FaceGroup& group) {
     return face.first_corner == group.first_corner + std::uint32_t{group.face_count} * group.corners_per_face &&

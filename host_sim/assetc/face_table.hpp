@@ -16,6 +16,7 @@ struct TableFace {
   std::vector<std::uint16_t> rings;  // their lengths; empty: a single one
   std::uint16_t material;
   bool patch = false;
+  bool curved = false;
 };
 
 // Appends a face after those that `tables` has: its group, ring lengths and number. `place` is for messages. Throws

@@ -16,7 +16,8 @@ Wide wide_dot(GridVector a, GridVector b) { return Wide{a.x} * b.x + Wide{a.y} *
 struct Face {
   std::vector<Ring> rings;
   std::uint16_t material = 0;
-  GridVector normal;  // of the first ring
+  bool curved = false;  // joined with no other
+  GridVector normal;    // of the first ring
 };
 
 std::vector<Face> faces_of(const MeshTables& mesh) {
@@ -25,13 +26,14 @@ std::vector<Face> faces_of(const MeshTables& mesh) {
     for (std::uint32_t i = 0; i < group.face_count; ++i) {
       auto corner = mesh.corners.begin() + group.first_corner + std::ptrdiff_t{group.corners_per_face} * i;
       Face face;
-      for (std::uint32_t ring = 0; ring < group.contour_count; ++ring) {
+      for (std::uint32_t ring = 0; ring < group.rings(); ++ring) {
         const std::uint16_t count =
-            group.contour_count == 1 ? group.corners_per_face : mesh.contours[group.first_contour + ring];
+            group.rings() == 1 ? group.corners_per_face : mesh.contours[group.first_contour + ring];
         face.rings.emplace_back(corner, corner + count);
         corner += count;
       }
       face.material = group.material;
+      face.curved = group.curved();
       face.normal = newell(face.rings.front(), mesh.positions);
       faces.push_back(std::move(face));
     }
@@ -54,7 +56,7 @@ class Merger {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area(a) > area(b); });
     for (const std::size_t seed : order) {
-      if (taken_[seed]) continue;
+      if (taken_[seed] || faces_[seed].curved) continue;
       const std::vector<std::size_t> group = grown_from(seed);
       if (join(group)) continue;
       for (const std::size_t face : group) join({face});  // bridges to its own holes
@@ -99,7 +101,8 @@ class Merger {
     if (seed >= first_detail()) return false;
     const Face& a = faces_[seed];
     const Face& b = faces_[face];
-    if (a.material != b.material || mesh_.face_normals[seed].packed != mesh_.face_normals[face].packed) return false;
+    if (b.curved || a.material != b.material || mesh_.face_normals[seed].packed != mesh_.face_normals[face].packed)
+      return false;
     if (area(face) == 0 || wide_dot(a.normal, b.normal) <= 0) return false;
     const std::uint32_t normal = mesh_.vertex_normals.empty() ? 0 : mesh_.vertex_normals[a.rings[0][0]].packed;
     return smooth_with(b, normal) && in_plane_of(a, b);
@@ -160,7 +163,8 @@ class Merger {
       const std::vector<Ring>& rings = faces_[i].rings;
       if (rings.empty()) continue;
       now[i] = out.face_count;
-      TableFace face{static_cast<std::uint32_t>(out.corners.size()), 0, {}, faces_[i].material};
+      TableFace face{
+          static_cast<std::uint32_t>(out.corners.size()), 0, {}, faces_[i].material, false, faces_[i].curved};
       for (const Ring& ring : rings) {
         if (rings.size() > 1) face.rings.push_back(static_cast<std::uint16_t>(ring.size()));
         for (const std::uint16_t vertex : ring) out.corners.push_back(renumbered(vertex, out));

@@ -94,7 +94,7 @@ void add_normals(const MeshSource& mesh, const VertexTable& vertices, bool smoot
 
 void add_faces(const MeshSource& mesh, std::uint16_t default_material, MeshTables& tables) {
   for (const MeshFace& face : mesh.faces) {
-    TableFace entry{face.first_corner, face.corner_count, {}, default_material, mesh.of_patches()};
+    TableFace entry{face.first_corner, face.corner_count, {}, default_material, mesh.of_patches(), face.curved};
     const auto rings = mesh.rings.begin() + face.first_ring;
     if (face.ring_count > 1) entry.rings.assign(rings, rings + face.ring_count);
     if (face.material != kNone) entry.material = static_cast<std::uint16_t>(face.material);

@@ -29,6 +29,7 @@ struct MeshFace {
   std::uint32_t first_ring;  // into MeshSource::rings; unused with a single ring
   std::uint32_t ring_count;
   std::int32_t material;  // into SceneDescription::materials, or kNone: `default_material` of the scene
+  bool curved = false;    // see FaceGroup::kCurved
 };
 
 // A stroke; its points are MeshSource::corners.

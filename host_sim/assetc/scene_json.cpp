@@ -209,14 +209,15 @@ void read_inline_mesh(const JsonNode& node, SceneDescription& scene, const Names
   std::int32_t material = kNone;
   if (const auto given = node.find("material")) material = look_up(*given, materials, "material");
   const MaterialOf material_of = [&](const JsonNode& name) { return look_up(name, materials, "material"); };
-  const auto curves = node.find("curves"), isocurves = node.find("isocurves");
+  const auto outlines = node.find("outlines"), curves = node.find("curves"), isocurves = node.find("isocurves");
   if (const auto patches = node.find("patches")) {
     read_vertices(node, mesh);
     read_inline_patches(*patches, mesh, material);
-  } else if (node.find("vertices") || node.find("faces") || (!curves && !isocurves)) {
+  } else if (node.find("vertices") || node.find("faces") || (!outlines && !curves && !isocurves)) {
     read_vertices(node, mesh);
     read_faces(node, mesh, material);
   }
+  if (outlines) read_outlines(*outlines, mesh, material, material_of);
   if (const auto detail = node.find("detail")) read_detail(*detail, mesh, material, materials);
   turn_detail(mesh);
   if (curves) read_curves(*curves, mesh, material, material_of);
@@ -267,7 +268,7 @@ void read_meshes(const JsonNode& node, SceneDescription& scene, const Names& mat
       each.allow_keys({"name", "vertices", "patches", "curves", "isocurves", "material"});
       read_inline_mesh(each, scene, materials);
     } else {
-      each.allow_keys({"name", "vertices", "faces", "curves", "isocurves", "material", "detail"});
+      each.allow_keys({"name", "vertices", "faces", "outlines", "curves", "isocurves", "material", "detail"});
       read_inline_mesh(each, scene, materials);
     }
   }

@@ -221,6 +221,86 @@ TEST(CurvesInScenes, NothingIsTooFarOff) {
   }
 }
 
+// ---- filled outlines ----
+
+constexpr double kCircle = 0.5522847;  // of the radius: a cubic Bezier's control points for a quarter of a circle
+
+std::string circle(double x, double y, double r) {
+  const auto at = [&](double u, double v) { return std::to_string(x + r * u) + " " + std::to_string(y + r * v) + " "; };
+  const double k = kCircle;
+  return "M" + at(1, 0) + "C" + at(1, k) + at(k, 1) + at(0, 1) + at(-k, 1) + at(-1, k) + at(-1, 0) + at(-1, -k) +
+         at(-k, -1) + at(0, -1) + at(k, -1) + at(1, -k) + at(1, 0) + "Z ";
+}
+
+std::string filled(const std::string& path, const std::string& instance, int size = 200) {
+  return R"({"size":[)" + number(size) + "," + number(size) + R"(],"background":[0,0,0],)" +
+         R"("camera":{"eye":[0,0,10],"target":[0,0,0],"near":1,"far":50},)" +
+         R"("materials":[{"name":"w","color":"#ffffff","shading":"unlit"}],"meshes":[{"name":"m","material":"w",)" +
+         R"("outlines":[{"path":")" + path + R"("}]}],"instances":[)" + instance + "]}";
+}
+
+// Pixels whose centres are nearer to a circle than `slack` may go either way; a chord is a quarter of a pixel off it at
+// most, a vertex a sixteenth.
+void expect_ring(const Rendering& out, double x, double y, double outer, double inner) {
+  constexpr double kSlack = 0.4;
+  for (std::size_t row = 0; row < out.picture.height; ++row) {
+    for (std::size_t column = 0; column < out.picture.width; ++column) {
+      const double d = std::hypot(static_cast<double>(column) + 0.5 - x, static_cast<double>(row) + 0.5 - y);
+      if (std::abs(d - outer) < kSlack || std::abs(d - inner) < kSlack) continue;
+      ASSERT_EQ(pixel(out, column, row).r, d < outer && d > inner ? 255 : 0) << column << " " << row;
+    }
+  }
+}
+
+TEST(FilledOutlines, AreSmoothAtAnySizeWithHoles) {
+  for (const int size : {10, 40, 200, 1000}) {
+    const double middle = size / 2.0 + 0.3, outer = size * 0.45, inner = size * 0.2;
+    CompiledScene scene = compile(parse_scene("s", filled(circle(middle, middle, outer) + circle(middle, middle, inner),
+                                                          R"({"mesh":"m","screen":true})", size)));
+    expect_ring(rendered(scene, {}), middle, middle, outer, inner);
+    if (testing::Test::HasFatalFailure()) FAIL() << size;
+  }
+}
+
+TEST(FilledOutlines, AreProjectedLikeAnyFace) {
+  CompiledScene scene = compile(parse_scene("s", filled(circle(0, 0, 3) + circle(0, 0, 1), R"({"mesh":"m"})")));
+  const double scale = 100 / std::tan(radians(22.5)) / 10;
+  expect_ring(rendered(scene, {}), 100, 100, 3 * scale, scale);
+  CompiledScene back = compile(parse_scene("s", filled(circle(0, 0, 3), R"({"mesh":"m","rotate":[0,180,0]})")));
+  expect_ring(rendered(back, {}), 100, 100, 0, 0);
+}
+
+// Across the guard band, the near plane and bands.
+TEST(FilledOutlines, AreClippedAndCutIntoBandsLikeAnyFace) {
+  Random random(7);
+  for (int i = 0; i < 60; ++i) {
+    const double r = random.between(1, 60);
+    CompiledScene scene = compile(parse_scene(
+        "s",
+        filled(circle(random.between(-20, 20), random.between(-20, 20), r) + circle(0, 0, r / 3),
+               R"({"mesh":"m","cull":false,"rotate":[)" + number(random.below(360)) + "," + number(random.below(360)) +
+                   "," + number(random.below(360)) + R"(],"translate":[0,0,)" + number(random.between(-5, 9)) + "]}",
+               60)));
+    const Rendering whole = rendered(scene, {});
+    ASSERT_TRUE(whole.status.ok()) << i;
+    EngineOptions options;
+    options.bands = static_cast<std::uint16_t>(random.between(2, 60));
+    options.pools.edges = static_cast<std::uint16_t>(random.below(20));
+    const Rendering cut = rendered(scene, options);
+    ASSERT_TRUE(cut.status.ok()) << status_text(cut.status);
+    ASSERT_EQ(whole.picture.rgb, cut.picture.rgb) << i;
+  }
+}
+
+TEST(FilledOutlines, StayCurvesInTheTablesOfAFirmware) {
+  CompiledScene scene = compile(parse_scene("s", filled(circle(0, 0, 3) + circle(0, 0, 1), R"({"mesh":"m"})")));
+  scene.merge_coplanar(64);
+  const FaceGroup& group = scene.meshes()[0].groups[0];
+  EXPECT_TRUE(group.curved());
+  EXPECT_EQ(group.rings(), 2);
+  EXPECT_EQ(group.corners_per_face, 24);
+}
+
 TEST(CurvesInScenes, TablesOfAFirmwareHoldThem) {
   CompiledScene scene = compile(parse_scene("s", strokes(R"({"kind":"b-spline","closed":true,"width":2.5,)"
                                                          R"("points":[[1,1,0],[9,1,0],[5,9,0]],"material":"r"})")));

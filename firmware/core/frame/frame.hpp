@@ -2,6 +2,7 @@
 // their numbers. This is the engine's front door.
 #pragma once
 
+#include "core/curve/outline.hpp"
 #include "core/frame/mesh_frame.hpp"
 
 namespace spanline {
@@ -76,6 +77,8 @@ class Frame {
   Room begin_facet(std::uint16_t face, std::uint16_t line);
   typename VisibleSegments<kOptions>::Look layered(const FacetLook& look, const Rgb8& color,
                                                    const MaterialRecord& material) const;
+  [[gnu::noinline]] Room begin_outline(std::uint16_t face, std::uint16_t line,
+                                       const typename VisibleSegments<kOptions>::Look& look);
   const LightRig& lights();
   // Whether facets of patches are shaded from normals at their corners.
   template <typename Patches>

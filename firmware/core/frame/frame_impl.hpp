@@ -276,7 +276,8 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
   const bool flip = two_sided && !reader_.extent().front();
-  if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours()) {
+  const bool curved = reader_.face().curved;
+  if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && !curved) {
     const LightRig& rig = lights();
     const bool alone = !kOptions.layers || !scene_.layered();  // layers are made of colours along edges
     if (alone && smooth_.on() && rig.grey() && reader_.face().corners.size() == 3 && !reader_.clipped()) {
@@ -293,8 +294,16 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
         mesh.face_normals.empty() ? mesh.vertex_normals[ref.corners[0]] : mesh.face_normals[ref.mesh_face];
     color = lights().shade(normal, material, flip);
   }
-  return vsg_.add(face, line, layered({flat_payload(screen_.format, color), false}, color, material),
-                  [](std::uint16_t) { return Rgb8{}; });
+  const auto look = layered({flat_payload(screen_.format, color), false}, color, material);
+  if (curved) return begin_outline(face, line, look);
+  return vsg_.add(face, line, look, [](std::uint16_t) { return Rgb8{}; });
+}
+
+template <FrameOptions kOptions>
+Room Frame<kOptions>::begin_outline(std::uint16_t face, std::uint16_t line,
+                                    const typename VisibleSegments<kOptions>::Look& look) {
+  const OutlineReader outline(reader_, screen_);
+  return vsg_.add({face}, false, line, look, [&](auto& sink) { outline.read(sink); });
 }
 
 // Of the reader's current facet.

@@ -123,7 +123,8 @@ void FacetReader::locate(std::uint16_t mesh_face) {
   const std::uint32_t index = mesh_face - std::uint32_t{group.first_face};
   face_.corners = {mesh().corners.data() + group.first_corner + index * group.corners_per_face, group.corners_per_face};
   face_.contours = {};
-  if (group.contour_count > 1) face_.contours = {mesh().contours.data() + group.first_contour, group.contour_count};
+  if (group.rings() > 1) face_.contours = {mesh().contours.data() + group.first_contour, group.rings()};
+  face_.curved = group.curved();
   face_.mesh_face = mesh_face;
   face_.material = instance().material == InstanceRecord::kOwnMaterials ? group.material : instance().material;
   if (!is_patch()) note_outcodes();
@@ -154,6 +155,8 @@ FacetExtent FacetReader::extent() {
     ExtentSink sink;
     read([](std::uint16_t) { return Rgb8{}; }, sink);
     e = sink.extent();
+    // A curve stays within its control points, but not within what clipping leaves of the polygon between them.
+    if (face_.curved && clipped()) e = {0, kMaxExtent, 0, kMaxExtent, e.area};
   }
   if (!on_screen() && matrix_.mirrored) e.area = -e.area;
   return culls && !e.front() ? FacetExtent{} : e;

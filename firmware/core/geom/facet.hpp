@@ -24,6 +24,7 @@ struct FaceRef {
   Slice<const std::uint16_t> contours;  // ring lengths; empty: one ring
   std::uint16_t mesh_face = 0;
   std::uint16_t material = 0;
+  bool curved = false;              // FaceGroup::kCurved: corners are control points
   std::uint8_t outside_any = 0;     // planes (Outcode) that some corner lies outside of
   std::uint8_t outside_all = 0xff;  // planes that all of them do
 };
@@ -75,11 +76,13 @@ class FacetReader {
   // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
   bool clipped() const { return face_.outside_any != 0; }
 
-  // Extent and facing of the current face after clipping; an empty extent where nothing of it can be seen.
+  // Extent and facing of the current face after clipping; an empty extent where nothing of it can be seen. The outline
+  // of a curved face may cover less of it.
   FacetExtent extent();
 
   // Hands the current face's contours to the sink after clipping: begin_contour(), vertex(const FacetVertex&) in order,
-  // end_contour(). `colour` maps a position index to the Rgb8 of that corner; clipped corners get what lies between.
+  // end_contour(). Of a curved face these are its control polygons. `colour` maps a position index to the Rgb8 of that
+  // corner; clipped corners get what lies between.
   template <typename Colour, typename Sink>
   void read(const Colour& colour, Sink& sink);
 

@@ -71,16 +71,24 @@ struct ReachRecord {
 // With contour_count kPatches each face is a bicubic Bezier patch and its kPatchCorners corners are the control points,
 // four rows of four. Rows run along v, the points of a row along u; the front is where u, v and the normal are
 // right-handed.
+//
+// With kCurved in contour_count each ring is a closed chain of cubic Bezier curves: of its 3 n corners, n >= 2, every
+// third from the first on lies on the outline, the others are control points. Such faces are flat or unlit, and the
+// polygon of all their corners says which side is the front.
 struct FaceGroup {
   static constexpr std::uint16_t kPatches = 0;
   static constexpr std::uint16_t kPatchCorners = 16;
+  static constexpr std::uint16_t kCurved = 0x8000;
   std::uint32_t first_corner;
   std::uint16_t first_face;
   std::uint16_t face_count;
   std::uint16_t corners_per_face;
   std::uint16_t first_contour;
-  std::uint16_t contour_count;  // 1: a single ring, first_contour is not used; kPatches
+  std::uint16_t contour_count;  // 1: a single ring, first_contour is not used; kPatches; may have kCurved
   std::uint16_t material;       // index into SceneRecord::materials
+
+  constexpr bool curved() const { return (contour_count & kCurved) != 0; }
+  constexpr std::uint16_t rings() const { return contour_count & (kCurved - 1); }
 };
 
 // An edge as one of its two vertices sees it: what the edge walker starts when its line comes to that vertex. Both

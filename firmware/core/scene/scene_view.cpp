@@ -17,12 +17,22 @@ Status check_rings(const MeshRecord& mesh, const FaceGroup& group, std::uint32_t
     return sixteen ? Status{}
                    : bad("FaceGroup", "corners_per_face", g, group.corners_per_face, FaceGroup::kPatchCorners);
   }
-  if (group.contour_count == 1) return {};
-  const std::uint32_t end = std::uint32_t{group.first_contour} + group.contour_count;
+  const std::uint16_t rings = group.rings();
+  if (rings == 0) return bad("FaceGroup", "contour_count", g, group.contour_count);
+  const auto whole_curves = [&](std::uint32_t corners) {
+    return !group.curved() || (corners >= 6 && corners % 3 == 0);
+  };
+  if (rings == 1) {
+    return whole_curves(group.corners_per_face)
+               ? Status{}
+               : bad("FaceGroup", "corners_per_face (curved)", g, group.corners_per_face);
+  }
+  const std::uint32_t end = std::uint32_t{group.first_contour} + rings;
   if (end > mesh.contours.size()) return bad("FaceGroup", "first_contour", g, end, mesh.contours.size());
   std::uint32_t sum = 0;
   for (std::uint32_t i = group.first_contour; i < end; ++i) {
     if (mesh.contours[i] < 3) return bad("FaceGroup", "contours", g, mesh.contours[i], 3);
+    if (!whole_curves(mesh.contours[i])) return bad("FaceGroup", "contours (curved)", g, mesh.contours[i]);
     sum += mesh.contours[i];
   }
   // Rings that do not add up leave a contour unclosed.
