@@ -1,8 +1,10 @@
 #include "sim/fitted_budget.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "assetc/input_error.hpp"
+#include "core/frame/frame_impl.hpp"
 #include "sim/engine.hpp"
 #include "sim/status_text.hpp"
 
@@ -57,6 +59,56 @@ Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last
   return budget;
 }
 
+namespace {
+
+using EdgeFrame = Frame<FrameOptions{.statistics = true, .walker = Walker::edges}>;
+
+// The edges that the frame needs; nothing where it is not for the edge walker.
+std::optional<std::uint32_t> edges_of_frame(EdgeFrame& frame, const SceneView& view, const CameraRecord& camera,
+                                            Band rest) {
+  if (frame.prepare(view, camera, rest).empty()) return std::nullopt;
+  std::vector<std::uint32_t> line(frame.line_bytes() / sizeof(std::uint32_t) + 1);
+  while (frame.next_line({reinterpret_cast<std::uint8_t*>(line.data()), frame.line_bytes()})) {
+  }
+  if (!frame.status().ok()) return std::nullopt;
+  return frame.statistics().max_edges;
+}
+
+// Caches are of powers of two less one.
+std::uint16_t cache_for(std::size_t things, std::size_t most) {
+  return static_cast<std::uint16_t>(std::min(std::bit_ceil(things + 1), most + 1) - 1);
+}
+
+}  // namespace
+
+std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t first, std::int64_t last) {
+  const SceneDescription& description = scene.description();
+  const Screen screen{description.width, description.height};
+  HostMemory memory(screen, screen.height, {});
+  EdgeFrame frame(memory.storage());
+  std::uint32_t edges = 0;
+  SceneView view;
+  for (std::int64_t number = first; number <= last; ++number) {
+    scene.show(number);
+    const SceneRecord record = scene.record();
+    view = validated(record, description.place);
+    const auto needed = edges_of_frame(frame, view, scene.camera(), {0, screen.height});
+    if (!needed) return std::nullopt;
+    edges = std::max(edges, *needed);
+  }
+  constexpr std::size_t kMostPlanes = 31, kMostLooks = 127, kMostTables = 15;
+  Budget budget{.width = screen.width, .height = screen.height};
+  budget.walker = Walker::edges;
+  budget.facets = static_cast<std::uint16_t>(view.face_count());
+  budget.vertices = static_cast<std::uint16_t>(view.vertex_count());
+  budget.edges = static_cast<std::uint16_t>(edges);
+  budget.gouraud = has_gouraud(scene);
+  budget.planes = cache_for(view.face_count(), kMostPlanes);
+  budget.looks = cache_for(view.face_count(), kMostLooks);
+  budget.tables = cache_for(scene.materials().size() - 1, kMostTables);
+  return budget;
+}
+
 std::string emit_budget(const Budget& budget, const std::string& name, const std::string& frames) {
   std::string text = "// Fitted to " + frames + ": one band, every vertex projected once.\n#pragma once\n\n";
   text += "#include \"core/frame/budget.hpp\"\n\nnamespace " + name + " {\n\n";
@@ -68,15 +120,26 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
   field("height", budget.height);
   field("facets", budget.facets);
   field("vertices", budget.vertices);
-  field("polygons", budget.polygons);
-  field("edges", budget.edges);
-  field("segments", budget.segments);
-  field("active", budget.active);
-  field("samples", budget.samples);
-  field("implied", budget.implied);
-  field("patch_facets", budget.patch_facets);
-  field("patch_vertices", budget.patch_vertices);
-  text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false") + "};\n\n}  // namespace " + name + "\n";
+  const auto gouraud = [&] { text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false"); };
+  if (budget.walker == Walker::edges) {
+    field("edges", budget.edges);
+    gouraud();
+    text += ",\n    .walker = spanline::Walker::edges,\n";
+    field("looks", budget.looks);
+    field("tables", budget.tables);
+    text += "    .planes = " + std::to_string(budget.planes);
+  } else {
+    field("polygons", budget.polygons);
+    field("edges", budget.edges);
+    field("segments", budget.segments);
+    field("active", budget.active);
+    field("samples", budget.samples);
+    field("implied", budget.implied);
+    field("patch_facets", budget.patch_facets);
+    field("patch_vertices", budget.patch_vertices);
+    gouraud();
+  }
+  text += "};\n\n}  // namespace " + name + "\n";
   return text;
 }
 

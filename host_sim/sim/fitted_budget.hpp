@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "assetc/compile.hpp"
@@ -13,6 +14,9 @@ namespace spanline::host {
 // each in one band, no vertex projected twice, no hint dropped. The scene is left at frame `last`. Throws InputError
 // with the scene's name where a frame cannot be drawn.
 Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);
+
+// The same for the edge walker alone, or nothing where it cannot draw one of the frames.
+std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);
 
 // A header with that budget: kBudget in namespace `name`. `frames`: what it is fitted to, for its comment.
 std::string emit_budget(const Budget& budget, const std::string& name, const std::string& frames);

@@ -62,6 +62,18 @@ TEST(FittedBudget, CoversEveryFrameThatIsAskedFor) {
   }
 }
 
+TEST(FittedBudget, KnowsWhatTheEdgeWalkerDraws) {
+  CompiledScene scene = teapot();
+  const std::optional<Budget> budget = fitted_edge_budget(scene, 0, 0);
+  ASSERT_TRUE(budget);
+  EXPECT_EQ(budget->walker, Walker::edges);
+  EXPECT_EQ(budget->facets, 992);
+  EXPECT_EQ(budget->vertices, scene.meshes().front().positions.size());
+  EXPECT_EQ(budget->planes, 31);
+  CompiledScene gears = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/clockwork.json"));
+  EXPECT_FALSE(fitted_edge_budget(gears, 0, 0));  // faces of many corners
+}
+
 TEST(FittedBudget, IsWrittenAsAHeader) {
   const Budget budget{.width = 64, .height = 48, .facets = 7, .gouraud = false};
   const std::string text = emit_budget(budget, "lamp", "frame 0 of lamp");

@@ -49,15 +49,19 @@ PrepareCommand::PrepareCommand(CLI::App& app)
 
 void PrepareCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));
-  scene.merge_coplanar(kMostMergedCorners);
-  const Budget budget = fitted_budget(scene, 0, 0);
+  // Larger faces are fewer, but the edge walker draws triangles.
+  std::optional<Budget> budget = fitted_edge_budget(scene, 0, 0);
+  if (!budget) {
+    scene.merge_coplanar(kMostMergedCorners);
+    budget = fitted_budget(scene, 0, 0);
+  }
   Expected expected = draw(scene);
   if (scene_.shading()) expected.shading = *scene_.shading();
 
   std::filesystem::create_directories(out_);
   write_file(out_ + "/shown.cpp", emit_source(scene, "shown", "shown.hpp"));
   write_file(out_ + "/shown.hpp", emit_header(scene, "shown"));
-  write_file(out_ + "/budget.hpp", emit_budget(budget, "shown", "frame 0 of " + expected.scene));
+  write_file(out_ + "/budget.hpp", emit_budget(*budget, "shown", "frame 0 of " + expected.scene));
   const nlohmann::ordered_json json = {{"scene", expected.scene},
                                        {"shading", expected.shading},
                                        {"checksum", expected.checksum},
