@@ -108,6 +108,57 @@ TEST(AreaSort, PanesAddUpFromFrontToBack) {
   EXPECT_EQ(films_at(55), (std::pair<std::uint16_t, Films>{0, {}}));
 }
 
+void put_detail(AreaSort& sort, std::uint16_t source, const AreaRing& ring) {
+  sort.begin_detail(source);
+  sort.begin_contour();
+  for (const AreaPoint p : ring) sort.vertex(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), 0);
+  sort.end_contour();
+  sort.end_polygon();
+}
+
+// A die's face with two pips that overlap and one that reaches over its border, pierced by a blade and half under a
+// lid.
+TEST(AreaSort, SurfaceDetailIsSeenWhereItsPolygonIs) {
+  const auto storage = std::make_unique<SortStorage<20, 500, 80, 10>>();
+  AreaSort sort(storage->refs());
+  sort.clear();
+  put(sort, level(0, box(0, 0, 100, 100), 1000));
+  put_detail(sort, 10, box(10, 10, 30, 30));
+  put_detail(sort, 11, box(20, 20, 40, 40));
+  put_detail(sort, 12, box(90, 40, 120, 60));
+  put(sort, level(1, box(0, 60, 100, 100), 2000));
+  put(sort, SortPolygon{2, {box(0, 0, 100, 50)}, 20 * kOne, 0, 700 * kOne});
+  ASSERT_TRUE(sort.solve().ok());
+  const VisiblePieces pieces = read(sort);
+  EXPECT_EQ(flaw(pieces), "");
+  EXPECT_EQ(sort.counts().pierced, 1u);
+  EXPECT_EQ(sort.counts().clips, 4u) << "detail costs no clip of the sort";
+  // The blade is in front right of x = 15.
+  EXPECT_EQ(area_of(pieces, 10), 5 * 20);
+  EXPECT_EQ(area_of(pieces, 11), 0);
+  EXPECT_EQ(area_of(pieces, 12), 10 * 10);
+  EXPECT_EQ(area_of(pieces, 1), 4000);
+  EXPECT_EQ(area_of(pieces, 2), 85 * 50);
+  EXPECT_EQ(area_of(pieces, 0), 6000 - 85 * 50 - 5 * 20 - 100);
+}
+
+TEST(AreaSort, TheHighestDetailLiesOnTop) {
+  const auto storage = std::make_unique<SortStorage<20, 500, 80, 10>>();
+  AreaSort sort(storage->refs());
+  sort.clear({{0, 0}, {50, 50}});
+  put(sort, level(0, box(60, 0, 100, 100), 1000));
+  put_detail(sort, 9, box(70, 10, 80, 20));  // outside of the window, with its polygon
+  put(sort, level(1, box(0, 0, 100, 100), 1000));
+  put_detail(sort, 11, box(20, 20, 40, 40));
+  put_detail(sort, 10, box(10, 10, 30, 30));
+  ASSERT_TRUE(sort.solve().ok());
+  const VisiblePieces pieces = read(sort);
+  EXPECT_EQ(area_of(pieces, 9), 0);
+  EXPECT_EQ(area_of(pieces, 10), 300);
+  EXPECT_EQ(area_of(pieces, 11), 400);
+  EXPECT_EQ(area_of(pieces, 1), 1800);
+}
+
 TEST(AreaSort, WhatLiesOutsideOfTheWindowIsCutAway) {
   const auto storage = std::make_unique<SortStorage<10, 200, 40, 10>>();
   AreaSort sort(storage->refs());

@@ -143,8 +143,8 @@ bool AreaSort::nearer(const Piece& piece, std::uint16_t clip) const {
 std::int64_t AreaSort::value(const NamedPolygon& polygon, GridPoint p) const {
   if (!polygon.silhouette || polygon.source == kBackdrop) return polygon.plane.value(p);
   std::int64_t least = INT64_MAX;
-  for (std::uint16_t i = 0; i < polygon.members; ++i) {
-    const std::int64_t value = pools_.polygons[polygon.first_member + i].plane.value(p);
+  for (std::uint16_t i = 0; i < polygon.details; ++i) {
+    const std::int64_t value = pools_.polygons[polygon.first_detail + i].plane.value(p);
     if (value < least) least = value;
   }
   return least;
@@ -171,31 +171,52 @@ bool AreaSort::show(std::uint16_t index) {
     return true;
   }
   if (!sort_films(pieces_[index])) return false;
-  if (polygon.silhouette) return show_members(index);
-  append(visible_, index);
+  PieceList rest;
+  append(rest, index);
+  if (!show_detail(rest, polygon)) return false;
+  for (std::uint16_t i = rest.first; i != 0;) {
+    const std::uint16_t next = pieces_[i].next;
+    if (polygon.silhouette) {
+      release(i);
+    } else {
+      append(visible_, i);
+    }
+    i = next;
+  }
   return true;
 }
 
-// The members cut out of a visible piece of their silhouette.
-bool AreaSort::show_members(std::uint16_t index) {
-  const NamedPolygon& silhouette = polygon_of(pieces_[index]);
-  for (std::uint16_t i = 0; i < silhouette.members; ++i) {
-    const auto name = static_cast<std::uint16_t>(silhouette.first_member + i);
-    const NamedPolygon& member = pools_.polygons[name];
-    const Piece& piece = pieces_[index];
-    if (!piece.bounds.overlaps(member.bounds)) continue;
-    ++counts_.details;
-    clipper_.clear();
-    borders_.each(member.border, [&](const BorderEdge& edge) { clipper_.edge(Role::subject, edge.from, edge.to); });
-    borders_.each(piece.border, [&](const BorderEdge& edge) { clipper_.edge(Role::clip, edge.from, edge.to); });
-    if (const Status status = clipper_.clip(); !status.ok()) {
-      return exhausted(status.where, static_cast<std::uint16_t>(status.limit), member.source);
+// Cuts detail out of visible pieces, the topmost first; what is under none of it stays in `rest`.
+bool AreaSort::show_detail(PieceList& rest, const NamedPolygon& host) {
+  for (std::uint16_t i = 0; i < host.details; ++i) {
+    std::uint16_t piece = rest.first;
+    rest = {};
+    while (piece != 0) {
+      const std::uint16_t next = pieces_[piece].next;
+      if (!cut_detail(piece, static_cast<std::uint16_t>(host.first_detail + i), rest)) return false;
+      piece = next;
     }
-    const Piece like{{}, {}, name, piece.films, 0};
-    if (!take_pieces(List::inside, like, visible_)) return false;
+  }
+  return true;
+}
+
+bool AreaSort::cut_detail(std::uint16_t index, std::uint16_t name, PieceList& rest) {
+  const NamedPolygon& detail = pools_.polygons[name];
+  const Piece piece = pieces_[index];
+  if (!piece.bounds.overlaps(detail.bounds)) {
+    append(rest, index);
+    return true;
+  }
+  ++counts_.details;
+  clipper_.clear();
+  borders_.each(piece.border, [&](const BorderEdge& edge) { clipper_.edge(Role::subject, edge.from, edge.to); });
+  borders_.each(detail.border, [&](const BorderEdge& edge) { clipper_.edge(Role::clip, edge.from, edge.to); });
+  if (const Status status = clipper_.clip(); !status.ok()) {
+    return exhausted(status.where, static_cast<std::uint16_t>(status.limit), detail.source);
   }
   release(index);
-  return true;
+  const Piece like{{}, {}, name, piece.films, 0};
+  return take_pieces(List::outside, piece, rest) && take_pieces(List::inside, like, visible_);
 }
 
 // Marks were set in the order in which polygons became the clip polygon; pieces share the ends of their lists of marks,

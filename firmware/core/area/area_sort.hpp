@@ -35,13 +35,13 @@ struct NamedPolygon {
   Box bounds;
   std::uint16_t source;
   Opacity opacity;
-  bool on_stack;              // is a clip polygon whose area is not finished
-  std::uint16_t group = 0;    // of a member of a consolidated object and of its silhouette; 0: none
-  std::uint16_t members = 0;  // of a silhouette, how many
-  std::uint16_t first_member = 0;
-  bool silhouette = false;
-
-  bool hides_others() const { return group == 0 || silhouette; }  // takes part in the sort
+  bool on_stack;  // is a clip polygon whose area is not finished
+  // Surface detail, the faces of a consolidated solid too, is no part of the sort; it is cut out of the visible pieces
+  // of the polygon that it lies on, which has the same group (0: none).
+  std::uint16_t group = 0;
+  bool detail = false;
+  bool silhouette = false;  // of a solid: all that is seen of it is detail
+  std::uint16_t first_detail = 0, details = 0;
 };
 
 // A part of a polygon.
@@ -98,7 +98,7 @@ struct SortCounts {
   std::uint32_t recursions = 0;   // errors of the first sort
   std::uint32_t cyclic = 0;       // polygons in front of the clip polygon whose name was on the stack
   std::uint32_t dropped = 0;      // polygons without area
-  std::uint32_t details = 0;      // runs of the clipper that cut members out of a visible silhouette
+  std::uint32_t details = 0;      // runs of the clipper that cut detail out of visible pieces
   std::uint16_t polygons = 0, borders = 0, pieces = 0, films = 0, frames = 0;  // most blocks in use at once
 
   // Another sort's: what was done adds up, of blocks the larger number stays.
@@ -129,6 +129,11 @@ class AreaSort {
   void vertex(std::int32_t x, std::int32_t y, std::int32_t depth);
   void end_contour();
   void end_polygon();
+
+  // Surface detail of the polygon put in last: contours and end_polygon() follow. It is seen where that polygon is and
+  // it covers; of several the highest source lies on top. It takes that polygon's plane; the depths of its vertices are
+  // not looked at. Not for polygons within a group.
+  void begin_detail(std::uint16_t source);
 
   // What is put in between is what is seen of one convex solid: opaque polygons that do not overlap. One silhouette
   // polygon stands for all of them, and they are cut out of its pieces when those are shown (the seed's consolidation).
@@ -166,6 +171,7 @@ class AreaSort {
   bool cut_at(const Plane& plane, std::int32_t depth, bool keep_nearer);
   void sort_by_source();
   bool can_pierce(const NamedPolygon& polygon) const;
+  bool of_solid(const NamedPolygon& polygon) const;
   bool pierce_all();
   bool pierce(std::uint16_t one, std::uint16_t other);
   bool split(std::uint16_t name, const Line& line);
@@ -173,6 +179,7 @@ class AreaSort {
   void dissolve(std::uint16_t group);
   bool settle();
   void order_by_depth();
+  void find_details();
   bool make_pieces();
   bool resolve(std::uint16_t name);
 
@@ -185,7 +192,8 @@ class AreaSort {
   bool nearer(const Piece& piece, std::uint16_t clip) const;
   std::int64_t value(const NamedPolygon& polygon, GridPoint p) const;
   bool show(std::uint16_t piece);
-  bool show_members(std::uint16_t piece);
+  bool show_detail(PieceList& rest, const NamedPolygon& host);
+  bool cut_detail(std::uint16_t piece, std::uint16_t detail, PieceList& rest);
   bool sort_films(Piece& piece);
   bool take_pieces(List list, const Piece& like, PieceList& to);
   void append(PieceList& list, std::uint16_t piece);
@@ -204,6 +212,8 @@ class AreaSort {
   Status status_;
   SortCounts counts_;
   bool translucent_ = false;              // some polygon is
+  std::uint16_t host_ = 0;                // the polygon that detail would lie on, 0: it is not seen
+  bool detail_ = false;                   // what is being put in
   std::uint16_t group_ = 0, groups_ = 0;  // the group being put in, and how many there have been
   Border silhouette_;                     // of that group: edges that two members share cancel
 

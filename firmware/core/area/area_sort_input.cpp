@@ -20,7 +20,7 @@ void AreaSort::clear(const Box& window, const Slab& slab) {
   status_ = {};
   counts_ = {};
   translucent_ = false;
-  group_ = groups_ = 0;
+  group_ = groups_ = host_ = 0;
 }
 
 void AreaSort::refuse(const char* field, std::int32_t value, std::int32_t limit) {
@@ -49,7 +49,13 @@ void AreaSort::begin_polygon(std::uint16_t source, Opacity opacity) {
   opacity_ = opacity;
   border_ = {};
   plane_corners_ = 0;
-  plane_given_ = false;
+  plane_given_ = detail_ = false;
+}
+
+void AreaSort::begin_detail(std::uint16_t source) {
+  CHECK(group_ == 0);
+  begin_polygon(source, pools_.polygons[host_].plane);
+  detail_ = true;
 }
 
 void AreaSort::begin_polygon(std::uint16_t source, const Plane& plane) {
@@ -98,9 +104,10 @@ void AreaSort::end_contour() {
 }
 
 void AreaSort::end_polygon() {
+  if (!detail_) host_ = 0;
   const bool flat = plane_corners_ < 3 || orientation(plane_at_[0], plane_at_[1], plane_at_[2]) == 0;
   if (flat) ++counts_.dropped;
-  if (flat || !status_.ok()) return borders_.release(border_);
+  if (flat || !status_.ok() || (detail_ && host_ == 0)) return borders_.release(border_);
   const Plane plane = plane_given_ ? given_plane_ : Plane::through(plane_at_, plane_depth_);
   cut_to(borders_, border_, window_);
   const bool within = group_ == kBackdropGroup || cut_to_slab(plane);
@@ -108,9 +115,19 @@ void AreaSort::end_polygon() {
   if (!within || border_.first == 0) return borders_.release(border_);
   translucent_ |= opacity_ == Opacity::translucent;
   const std::uint16_t name = add_polygon(source_, plane, opacity_, border_);
-  if (group_ == 0 || name == 0) return;
+  if (name == 0) return;
+  if (detail_) {
+    NamedPolygon& host = pools_.polygons[host_];
+    if (host.group == 0) host.group = ++groups_;
+    pools_.polygons[name].group = host.group;
+    pools_.polygons[name].detail = true;
+    return;
+  }
+  host_ = name;
+  if (group_ == 0) return;
   CHECK(opacity_ == Opacity::opaque);
   pools_.polygons[name].group = group_;
+  pools_.polygons[name].detail = true;
   if (group_ != kBackdropGroup) borders_.join(silhouette_, borders_.copy(border_));
 }
 
@@ -167,7 +184,8 @@ std::uint16_t AreaSort::add_polygon(std::uint16_t source, const Plane& plane, Op
     exhausted("polygons", polygons_, source);
     return 0;
   }
-  pools_.polygons[++polygons_] = {plane, 0, border, borders_.bounds(border), source, opacity, false, 0, 0, 0, false};
+  pools_.polygons[++polygons_] = {plane, 0, border, borders_.bounds(border), source, opacity, false, 0, false,
+                                  false, 0, 0};
   counts_.polygons = polygons_;
   return polygons_;
 }
@@ -249,7 +267,7 @@ bool AreaSort::resolve(std::uint16_t name) {
   return true;
 }
 
-// Members of groups follow what is sorted, group by group.
+// Detail follows what is sorted, group by group, the topmost first.
 void AreaSort::order_by_depth() {
   for (std::uint16_t name = 1; name <= polygons_; ++name) {
     NamedPolygon& polygon = pools_.polygons[name];
@@ -261,35 +279,38 @@ void AreaSort::order_by_depth() {
     });
   }
   sort_blocks(pools_.polygons, polygons_, [](const NamedPolygon& a, const NamedPolygon& b) {
-    if (a.hides_others() != b.hides_others()) return a.hides_others();
-    if (!a.hides_others() && a.group != b.group) return a.group < b.group;
+    if (a.detail != b.detail) return b.detail;
+    if (a.detail) return a.group != b.group ? a.group < b.group : a.source > b.source;
+    return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
+  });
+}
+
+// Both halves of a polygon that is pierced have the same detail.
+void AreaSort::find_details() {
+  std::uint16_t first = 1;
+  while (first <= polygons_ && !pools_.polygons[first].detail) ++first;
+  for (std::uint16_t name = 1; name < first; ++name) {
+    NamedPolygon& host = pools_.polygons[name];
+    if (host.group == 0) continue;
+    std::uint16_t i = first;
+    while (i <= polygons_ && pools_.polygons[i].group != host.group) ++i;
+    host.first_detail = i;
+    for (; i <= polygons_ && pools_.polygons[i].group == host.group; ++i) {
+      ++host.details;
+      const std::int64_t nearest = pools_.polygons[i].nearest;
+      if (host.silhouette && host.source != kBackdrop && nearest > host.nearest) host.nearest = nearest;
+    }
+  }
+  // Silhouettes have found their place only now.
+  sort_blocks(pools_.polygons, static_cast<std::uint16_t>(first - 1), [](const NamedPolygon& a, const NamedPolygon& b) {
     return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
   });
 }
 
 bool AreaSort::make_pieces() {
   order_by_depth();
-  std::uint16_t member = 1;
-  while (member <= polygons_ && pools_.polygons[member].hides_others()) ++member;
-  const std::uint16_t first = member;
-  for (std::uint16_t name = 1; name < first; ++name) {
-    NamedPolygon& polygon = pools_.polygons[name];
-    if (!polygon.silhouette) continue;
-    std::uint16_t i = first;
-    while (i <= polygons_ && pools_.polygons[i].group != polygon.group) ++i;
-    polygon.first_member = i;
-    polygon.members = 0;
-    for (; i <= polygons_ && pools_.polygons[i].group == polygon.group; ++i) {
-      ++polygon.members;
-      if (polygon.source == kBackdrop) continue;
-      if (pools_.polygons[i].nearest > polygon.nearest) polygon.nearest = pools_.polygons[i].nearest;
-    }
-  }
-  // The silhouettes have found their place only now.
-  sort_blocks(pools_.polygons, static_cast<std::uint16_t>(first - 1), [](const NamedPolygon& a, const NamedPolygon& b) {
-    return a.nearest != b.nearest ? a.nearest > b.nearest : a.source < b.source;
-  });
-  for (std::uint16_t name = 1; name < first; ++name) {
+  find_details();
+  for (std::uint16_t name = 1; name <= polygons_ && !pools_.polygons[name].detail; ++name) {
     if (!resolve(name)) return false;
   }
   return true;

@@ -26,9 +26,17 @@ bool share_a_piece(const Borders& borders, const Border& one, const Border& othe
 
 }  // namespace
 
-// A backdrop's details lie behind everything.
+// Surface detail goes with its polygon; the faces of a solid are looked at themselves.
 bool AreaSort::can_pierce(const NamedPolygon& polygon) const {
-  return !polygon.silhouette && polygon.group != kBackdropGroup;
+  return !polygon.silhouette && (!polygon.detail || of_solid(polygon));
+}
+
+bool AreaSort::of_solid(const NamedPolygon& polygon) const {
+  if (!polygon.detail || polygon.group == kBackdropGroup) return false;
+  for (std::uint16_t i = 1; i <= polygons_; ++i) {
+    if (pools_.polygons[i].group == polygon.group && pools_.polygons[i].silhouette) return true;
+  }
+  return false;
 }
 
 // Later polygons include the halves of earlier ones, which pierce none that their whole did not.
@@ -43,12 +51,13 @@ bool AreaSort::pierce_all() {
   return true;
 }
 
-// The members of a group are polygons like any other from now on.
+// The faces of a pierced solid are polygons like any other from now on.
 void AreaSort::dissolve(std::uint16_t group) {
-  for (std::uint16_t i = 1; group != 0 && i <= polygons_; ++i) {
+  for (std::uint16_t i = 1; i <= polygons_; ++i) {
     NamedPolygon& polygon = pools_.polygons[i];
     if (polygon.group != group) continue;
     polygon.group = 0;
+    polygon.detail = false;
     if (!polygon.silhouette) continue;
     polygon.silhouette = false;
     borders_.release(polygon.border);
@@ -67,8 +76,8 @@ bool AreaSort::pierce(std::uint16_t one, std::uint16_t other) {
   if (!borders_fit(a.source)) return false;
   if (!shared) return true;
   ++counts_.pierced;
-  dissolve(a.group);
-  dissolve(b.group);
+  if (a.detail) dissolve(a.group);
+  if (b.detail) dissolve(b.group);
   return split(one, line) && split(other, line);
 }
 
@@ -79,7 +88,9 @@ bool AreaSort::split(std::uint16_t name, const Line& line) {
   polygon.border = halves.positive;
   polygon.bounds = borders_.bounds(polygon.border);
   if (!borders_fit(polygon.source)) return false;
-  return add_polygon(polygon.source, polygon.plane, polygon.opacity, halves.negative) != 0;
+  const std::uint16_t other = add_polygon(polygon.source, polygon.plane, polygon.opacity, halves.negative);
+  pools_.polygons[other].group = polygon.group;
+  return other != 0;
 }
 
 // Neighbours of a polygon in its mesh get the points at which their common edges are split, so that no gap opens.
