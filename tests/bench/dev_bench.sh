@@ -34,6 +34,11 @@ bench() {
   echo "$(pwd)/build/bench/frames.json"
   [ -z "$scene" ] || return 0
   say "pieces, on this machine"
+  want libpolyclipping-dev
   build host spanline_bench
   build/host/tests/bench/spanline_bench --benchmark_counters_tabular=true
+  grep -q 'spanline_area_bench' build/host/build.ninja || return 0
+  say "the clipper beside libpolyclipping"
+  build host spanline_area_bench
+  build/host/tests/bench/spanline_area_bench
 }

@@ -12,7 +12,7 @@ mkdir -p "$2"
 work=$(cd "$2" && pwd)
 out=$3
 windowed="100-16 300-16 1000-16 3000-16 10000-16"
-whole="100-0 300-0 1000-0 3000-0"
+whole="100-0 300-0 1000-0"
 
 quiet() { "$@" > "$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }; }
 list=$(echo "$windowed $whole" | tr ' ' ';')
