@@ -1,5 +1,7 @@
 #include "hidden/facet_list.hpp"
 
+#include <algorithm>
+
 #include "core/shade/light.hpp"
 #include "sim/status_text.hpp"
 
@@ -15,6 +17,16 @@ struct Collect {
   }
   void end_contour() {}
 };
+
+// Hands a facet's contours to the sort.
+void put_rings(const Facet& facet, area::AreaSort& sort) {
+  for (const std::vector<FacetVertex>& ring : facet.rings) {
+    sort.begin_contour();
+    for (const FacetVertex& v : ring) sort.vertex(v.at.x, v.at.y, static_cast<std::int32_t>(v.depth));
+    sort.end_contour();
+  }
+  sort.end_polygon();
+}
 
 Rgb8 colour_of(const FacetReader& reader, const SceneRecord& scene, bool front) {
   const MeshRecord& mesh = reader.mesh();
@@ -37,25 +49,41 @@ FacetList::FacetList(const CompiledScene& scene, Facing facing) {
   record.instances = {instances.data(), static_cast<std::uint32_t>(instances.size())};
   const SceneView view = validated(record, scene.description().place);
   FacetReader reader(view, scene.camera(), {scene.description().width, scene.description().height}, {});
+  std::vector<Facet> details;
+  std::vector<std::uint16_t> parents;
   for (std::uint32_t face = 0; face < view.face_count(); ++face) {
     reader.select(static_cast<std::uint16_t>(face));
     const FacetExtent extent = reader.extent();
     if ((extent.left >= extent.right && extent.first_line >= extent.end_line) || extent.area == 0) continue;
-    Facet facet{face, {}, area::Box::none(), colour_of(reader, record, extent.front())};
+    const MaterialRecord& material = record.materials[reader.face().material];
+    Facet facet{face, {}, area::Box::none(), colour_of(reader, record, extent.front()), material.transmission, {}};
     Collect collect{facet};
     reader.read([](std::uint16_t) { return Rgb8{}; }, collect);
-    facets_.push_back(std::move(facet));
+    if (reader.parent() == kNoFace) {
+      facets_.push_back(std::move(facet));
+    } else {
+      details.push_back(std::move(facet));
+      parents.push_back(reader.parent());
+    }
+  }
+  hosts_ = static_cast<std::uint32_t>(facets_.size());
+  for (std::size_t i = 0; i < details.size(); ++i) {
+    const auto host = std::lower_bound(facets_.begin(), facets_.begin() + hosts_, parents[i],
+                                       [](const Facet& facet, std::uint16_t face) { return facet.face < face; });
+    if (host == facets_.begin() + hosts_ || host->face != parents[i] || host->transmission != Rgb8{}) continue;
+    host->details.push_back(static_cast<std::uint16_t>(facets_.size()));
+    facets_.push_back(std::move(details[i]));
   }
 }
 
 void FacetList::put(std::uint16_t i, area::AreaSort& sort) const {
-  sort.begin_polygon(i);
-  for (const std::vector<FacetVertex>& ring : facets_[i].rings) {
-    sort.begin_contour();
-    for (const FacetVertex& v : ring) sort.vertex(v.at.x, v.at.y, static_cast<std::int32_t>(v.depth));
-    sort.end_contour();
+  const bool clear = facets_[i].transmission != Rgb8{};
+  sort.begin_polygon(i, clear ? area::Opacity::translucent : area::Opacity::opaque);
+  put_rings(facets_[i], sort);
+  for (const std::uint16_t detail : facets_[i].details) {
+    sort.begin_detail(detail);
+    put_rings(facets_[detail], sort);
   }
-  sort.end_polygon();
 }
 
 }  // namespace spanline::host

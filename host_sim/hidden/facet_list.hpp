@@ -15,18 +15,21 @@ struct Facet {
   std::vector<std::vector<FacetVertex>> rings;
   area::Box bounds;
   Rgb8 color;
+  Rgb8 transmission;                   // as MaterialRecord has it; all 0: opaque
+  std::vector<std::uint16_t> details;  // facets that lie on this one
 };
 
 enum class Facing { as_culled, all };
 
-// A scene for area::WindowSort. Where a face has more than three corners and they do not lie in one plane, the plane of
-// its largest triangle stands for it.
+// A scene for area::WindowSort, which knows nothing of surface detail: that comes with the face that it lies on. Detail
+// of a see-through face is left out. Where a face has more than three corners and they do not lie in one plane, the
+// plane of its largest triangle stands for it.
 class FacetList {
  public:
   // What `scene` shows in its present frame. A Gouraud face has the colour of its face normal.
   FacetList(const CompiledScene& scene, Facing facing);
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(facets_.size()); }
+  std::uint32_t count() const { return hosts_; }
   const area::Box& bounds(std::uint16_t i) const { return facets_[i].bounds; }
   void put(std::uint16_t i, area::AreaSort& sort) const;
 
@@ -34,7 +37,8 @@ class FacetList {
   const Facet& operator[](std::size_t i) const { return facets_[i]; }
 
  private:
-  std::vector<Facet> facets_;
+  std::vector<Facet> facets_;  // detail comes last
+  std::uint32_t hosts_ = 0;    // facets before
 };
 
 }  // namespace spanline::host

@@ -28,8 +28,7 @@ void HiddenCommand::run() const {
   const CompiledScene scene = compile(scene_.load(false));
   const SceneDescription& description = scene.description();
   const FacetList facets(scene, Facing::as_culled);
-  const HiddenView view = remove_hidden(facets, description.width, description.height,
-                                        static_cast<std::uint32_t>(window), description.place);
+  const HiddenView view = remove_hidden(facets, description, static_cast<std::uint32_t>(window));
   if (json_) write_file(*json_, hidden_json(view, facets, scene));
   if (!svg_) return;
   if (!lines_) return write_file(*svg_, surfaces_svg(view, facets, description));

@@ -11,6 +11,8 @@ using nlohmann::ordered_json;
 ordered_json numbers(Vec3 v) { return ordered_json::array({v.x, v.y, v.z}); }
 ordered_json numbers(Rgb8 c) { return ordered_json::array({c.r, c.g, c.b}); }
 
+constexpr double kWithin = 0.9999;  // of the far plane, for what is seen of the background through films
+
 // From the screen back into the scene's own units, by the very camera that the engine used.
 class Unprojection {
  public:
@@ -21,7 +23,7 @@ class Unprojection {
         height_(scene.description().height) {}
 
   Vec3 operator()(const ScreenVertex& v) const {
-    const double near = camera_.near_plane.raw / 65536.0, far = camera_.far_plane.raw / 65536.0;
+    const double near = camera_.near_plane.raw / 65536.0, far = camera_.far_plane.raw / 65536.0 * kWithin;
     const double distance = std::clamp(v.depth > 0 ? near * 65536 / v.depth : far, near, far);
     const double per_px = distance / (camera_.focal.raw / 4096.0);
     const double right = (v.at.x / double{kSubpixels} - width_ / 2.0) * per_px;
@@ -59,15 +61,18 @@ class Materials {
   std::map<std::array<std::uint8_t, 3>, std::string> names_;
 };
 
-ordered_json on_screen(const VisiblePolygon& polygon, std::uint32_t face) {
-  ordered_json rings = ordered_json::array();
+ordered_json on_screen(const VisiblePolygon& polygon, const FacetList& facets) {
+  ordered_json rings = ordered_json::array(), films = ordered_json::array();
   for (const auto& ring : polygon.rings) {
     ordered_json& points = rings.emplace_back(ordered_json::array());
     for (const ScreenVertex& v : ring) {
       points.push_back({v.at.x / double{kSubpixels}, v.at.y / double{kSubpixels}, v.depth});
     }
   }
-  return {{"source", face}, {"rings", std::move(rings)}};
+  for (const std::uint16_t film : polygon.films) films.push_back(facets[film].face);
+  ordered_json source = nullptr;
+  if (polygon.facet != area::kBackdrop) source = facets[polygon.facet].face;
+  return {{"source", std::move(source)}, {"films", std::move(films)}, {"rings", std::move(rings)}};
 }
 
 }  // namespace
@@ -78,11 +83,10 @@ std::string hidden_json(const HiddenView& view, const FacetList& facets, const C
   Materials materials;
   ordered_json meshes = ordered_json::array(), instances = ordered_json::array(), polygons = ordered_json::array();
   for (std::size_t i = 0; i < view.polygons.size();) {
-    const Facet& facet = facets[view.polygons[i].facet];
-    const std::string name = "face" + std::to_string(facet.face);
+    const VisiblePolygon& first = view.polygons[i];
+    const std::string name = "seen" + std::to_string(meshes.size());
     ordered_json vertices = ordered_json::array(), faces = ordered_json::array();
-    const std::uint16_t index = view.polygons[i].facet;
-    for (; i < view.polygons.size() && view.polygons[i].facet == index; ++i) {
+    for (; i < view.polygons.size() && looks_like(view.polygons[i], first); ++i) {
       ordered_json& face = faces.emplace_back(ordered_json::array());
       for (const auto& ring : view.polygons[i].rings) {
         ordered_json& corners = face.emplace_back(ordered_json::array());
@@ -91,10 +95,10 @@ std::string hidden_json(const HiddenView& view, const FacetList& facets, const C
           vertices.push_back(numbers(unproject(v)));
         }
       }
-      polygons.push_back(on_screen(view.polygons[i], facet.face));
+      polygons.push_back(on_screen(view.polygons[i], facets));
     }
     meshes.push_back({{"name", name},
-                      {"material", materials.name_of(facet.color)},
+                      {"material", materials.name_of(first.color)},
                       {"vertices", std::move(vertices)},
                       {"faces", std::move(faces)}});
     instances.push_back({{"mesh", name}, {"cull", false}});

@@ -47,10 +47,11 @@ std::string surfaces_svg(const HiddenView& view, const FacetList& facets, const 
   // Neighbours share their edges exactly; smoothing each by itself would let the background through.
   std::string text = head(scene) + background(scene) + "<g fill-rule=\"evenodd\" shape-rendering=\"crispEdges\">\n";
   for (std::size_t i = 0; i < view.polygons.size();) {
-    const std::uint16_t facet = view.polygons[i].facet;
-    text += "<path data-source=\"" + std::to_string(facets[facet].face) + "\" fill=\"" + hex(facets[facet].color) +
-            "\" d=\"";
-    for (; i < view.polygons.size() && view.polygons[i].facet == facet; ++i) {
+    const VisiblePolygon& first = view.polygons[i];
+    text += "<path";
+    if (first.facet != area::kBackdrop) text += " data-source=\"" + std::to_string(facets[first.facet].face) + "\"";
+    text += " fill=\"" + hex(first.color) + "\" d=\"";
+    for (; i < view.polygons.size() && looks_like(view.polygons[i], first); ++i) {
       for (const auto& ring : view.polygons[i].rings) {
         for (std::size_t k = 0; k < ring.size(); ++k) text += (k == 0 ? "M" : "L") + point(ring[k].at);
         text += "Z";

@@ -6,7 +6,7 @@
 
 namespace spanline::host {
 
-// The visible polygons as filled paths, one a face, with its number as data-source.
+// The visible polygons as filled paths, one a face and colour, with the face's number as data-source.
 std::string surfaces_svg(const HiddenView& view, const FacetList& facets, const SceneDescription& scene);
 
 // Lines as strokes: `visible` solid, `hidden` dashed.

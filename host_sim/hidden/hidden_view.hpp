@@ -11,18 +11,23 @@ struct ScreenVertex {
 };
 
 struct VisiblePolygon {
-  std::uint16_t facet;                           // into the FacetList
+  std::uint16_t facet;                           // into the FacetList; area::kBackdrop: the background behind films
+  std::vector<std::uint16_t> films;              // see-through facets in front of it, from front to back
+  Rgb8 color{};                                  // through them
   std::vector<std::vector<ScreenVertex>> rings;  // the outline, then its holes
 };
 
+inline bool looks_like(const VisiblePolygon& a, const VisiblePolygon& b) {
+  return a.facet == b.facet && a.color == b.color;
+}
+
 struct HiddenView {
-  std::vector<VisiblePolygon> polygons;  // never overlapping; in the order of their facets
+  std::vector<VisiblePolygon> polygons;  // never overlapping; in the order of their facets and colours
   std::uint32_t clips = 0, windows = 0;
 };
 
-// `window`: polygons in a window at most, 0 for one window. Throws InputError (naming `place`) where a view is too
+// `window`: polygons in a window at most, 0 for one window. Throws InputError where a view is too
 // intricate even for the smallest window.
-HiddenView remove_hidden(const FacetList& facets, std::uint16_t width, std::uint16_t height, std::uint32_t window,
-                         const std::string& place);
+HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window);
 
 }  // namespace spanline::host

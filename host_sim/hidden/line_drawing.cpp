@@ -32,7 +32,7 @@ std::vector<GridPoint> vertices_of(const HiddenView& view) {
 
 constexpr int kNobody = -1;
 struct Sides {
-  int left = kNobody, right = kNobody;  // facets, seen from the lesser end
+  int left = kNobody, right = kNobody;  // which facet through which films, seen from the lesser end
 };
 using Borders = std::map<Ends, Sides>;
 
@@ -119,10 +119,13 @@ void add_gaps(std::vector<Line>& lines, const Ends& edge, const std::vector<std:
 std::vector<Line> visible_lines(const HiddenView& view) {
   const std::vector<GridPoint> vertices = vertices_of(view);
   Borders borders;
+  std::map<std::pair<std::uint16_t, std::vector<std::uint16_t>>, int> looks;
   for (const VisiblePolygon& polygon : view.polygons) {
+    const auto number = static_cast<int>(looks.size());
+    const int look = looks.try_emplace({polygon.facet, polygon.films}, number).first->second;
     for (const auto& ring : polygon.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i)
-        add_edge(borders, vertices, ring[i].at, ring[(i + 1) % ring.size()].at, polygon.facet);
+        add_edge(borders, vertices, ring[i].at, ring[(i + 1) % ring.size()].at, look);
     }
   }
   std::vector<Ends> pieces;

@@ -34,8 +34,7 @@ constexpr const char* kCube = R"({
   "instances": [ { "mesh": "cube" } ] })";
 
 HiddenView view_of(const CompiledScene& scene, std::uint32_t window) {
-  const SceneDescription& d = scene.description();
-  return remove_hidden(FacetList(scene, Facing::as_culled), d.width, d.height, window, d.place);
+  return remove_hidden(FacetList(scene, Facing::as_culled), scene.description(), window);
 }
 
 Picture picture_of(const CompiledScene& scene) {
@@ -71,6 +70,36 @@ std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> as_set(const std::
   std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> set;
   for (const Line& line : lines) set.insert({{line.from.x, line.from.y}, {line.to.x, line.to.y}});
   return set;
+}
+
+// Pips, lines on the cloth, baked shadows of two lights: surface detail.
+TEST(HiddenVerb, SurfaceDetailAndShadowsAreInTheOutput) {
+  for (const char* name : {"../demos/dice.json", "../demos/house.json"}) {
+    const CompiledScene scene = flat_scene(name);
+    const FacetList facets(scene, Facing::as_culled);
+    EXPECT_LT(facets.count(), facets.facets().size()) << "some facets are detail";
+    const CompiledScene again = compile(parse_scene("again", hidden_json(view_of(scene, 0), facets, scene)));
+    EXPECT_LT(share_that_differs(picture_of(scene), picture_of(again)), 0.0008) << name;
+  }
+}
+
+// Behind the panes and where there is nothing behind them.
+TEST(HiddenVerb, SeeThroughFacesColourWhatLiesBehind) {
+  const CompiledScene scene = flat_scene("../demos/panes.json");
+  const FacetList facets(scene, Facing::as_culled);
+  const HiddenView view = view_of(scene, 0);
+  std::size_t most = 0;
+  bool background = false;
+  for (const VisiblePolygon& polygon : view.polygons) {
+    most = std::max(most, polygon.films.size());
+    background |= polygon.facet == area::kBackdrop && !polygon.films.empty();
+    for (const std::uint16_t film : polygon.films) EXPECT_NE(facets[film].transmission, Rgb8{});
+  }
+  EXPECT_GE(most, 3u);
+  EXPECT_TRUE(background);
+  // The background's gradient is one colour through a film; all else is the same.
+  const CompiledScene again = compile(parse_scene("again", hidden_json(view, facets, scene)));
+  EXPECT_LT(share_that_differs(picture_of(scene), picture_of(again)), 0.06);
 }
 
 TEST(HiddenVerb, ACubeHasNineVisibleEdgesAndThreeHiddenOnes) {
