@@ -34,12 +34,12 @@ inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& 
     matrix_ = compose(*camera_, cursor_.instance().transform, mesh);
   }
   const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - cursor_.first_face());
-  FacetVertex vertex[3];
-  for (int i = 0; i < 3; ++i) {
-    vertex[i].at = points[cursor_.first_vertex() + corner[i] + 1];
-    vertex[i].depth = projection_.depth(matrix_.row(2, mesh.positions[corner[i]]));
-  }
-  return depth_plane(vertex, screen_);
+  const ScreenXY* const point = &points[cursor_.first_vertex() + 1];
+  const Position* const position = mesh.positions.data();
+  const auto depth = [&](int i) {  // inside the view and the matrix fits, else the walker would not have begun
+    return projection_.depth(static_cast<std::int32_t>(matrix_.wide_row(2, position[corner[i]])));
+  };
+  return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
 }
 
 }  // namespace spanline

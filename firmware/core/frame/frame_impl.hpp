@@ -280,7 +280,8 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && !curved) {
     const LightRig& rig = lights();
     const bool alone = !kOptions.layers || !scene_.layered();  // layers are made of colours along edges
-    if (alone && smooth_.on() && rig.grey() && reader_.face().corners.size() == 3 && !reader_.clipped()) {
+    if (alone && smooth_.on() && rig.grey() && material.reach == MaterialRecord::kAllLight &&
+        reader_.face().corners.size() == 3 && !reader_.clipped()) {
       return vsg_.add(face, line, layered({.smooth = true}, {}, material), [](std::uint16_t) { return Rgb8{}; });
     }
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };

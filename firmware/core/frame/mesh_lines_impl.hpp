@@ -40,16 +40,23 @@ struct MeshLines<kTaps>::Sink {
   void paint(std::uint32_t left, std::uint32_t right, FaceId face) {
     if constexpr (kSmooth) {
       if (face != 0) {
-        const FaceLook& look = mesh.smooth_.look(face, [this](FaceId f) { return mesh.look_of(f); });
-        if (look.smooth()) {
-          return painter.smooth(left, right, look.plane, mesh.smooth_.colors(look.look, mesh.scene_.scene().materials));
+        const FaceLook& look = mesh.smooth_.look(face, words[face], [this](FaceId f) { return mesh.look_of(f); });
+        if (!look.smooth()) return fill(left, right, look.look);
+        const std::uint16_t* const colors = mesh.smooth_.colors(look.look, mesh.scene_.scene().materials);
+        if constexpr (kWide) {
+          return smooth_span(out, left, right, look.plane, line, colors);
+        } else {
+          return painter.smooth(left, right, look.plane, colors);
         }
       }
     }
+    fill(left, right, words[face]);
+  }
+  void fill(std::uint32_t left, std::uint32_t right, std::uint16_t color) {
     if constexpr (kWide) {
-      fill_span(out, left, right, words[face]);
+      fill_span(out, left, right, color);
     } else {
-      painter.fill(left, right, words[face]);
+      painter.fill(left, right, color);
     }
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
@@ -103,6 +110,7 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
   };
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
   if (scene.face_count() > words_.capacity()) return short_of("facets", scene.face_count(), words_.capacity());
+  if (!scene.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   if (smooth_.on()) {
     if (scene.vertex_count() > levels_.capacity()) {
@@ -131,19 +139,21 @@ bool MeshLines<kTaps>::has_hue(const SceneRecord& scene) const {
   return gouraud && !LightRig(scene, Transform::identity()).grey();
 }
 
-// How a face looks: the colour that its word holds, or its brightness.
+// How a face looks in a smooth scene, where its word is not a colour.
 template <bool kTaps>
 FaceLook MeshLines<kTaps>::look_of(FaceId face) {
-  const FaceLook flat{{FaceLook::kFlat, 0, 0}, 0, words_[face]};
-  if (face == 0) return flat;
   InstanceCursor& at = cursor_;
   at.to_face(face - 1u);
   const MeshRecord& mesh = at.mesh();
   const std::uint32_t mesh_face = face - 1u - at.first_face();
   const FaceGroup* group = mesh.groups.data();
   while (mesh_face - group->first_face >= group->face_count) ++group;
-  const std::uint16_t material = material_of(at.instance(), *group);
-  if (scene_.scene().materials[material].shading != MaterialRecord::kGouraud) return flat;
+  const std::uint16_t number = material_of(at.instance(), *group);
+  const MaterialRecord& material = scene_.scene().materials[number];
+  if (material.shading != MaterialRecord::kGouraud) {
+    const std::uint16_t color = flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform));
+    return {{FaceLook::kFlat, 0, 0}, 0, color};
+  }
   const std::uint16_t* const corner = mesh.corners.data() + 3 * mesh_face;
   ScreenXY point[3];
   Brightness level[3];
@@ -152,7 +162,18 @@ FaceLook MeshLines<kTaps>::look_of(FaceId face) {
     point[i] = points_[vertex];
     level[i] = levels_[vertex];
   }
-  return {brightness_plane(point, level), 0, material};
+  return {brightness_plane(point, level), 0, number};
+}
+
+// The colour of a face drawn flat.
+template <bool kTaps>
+std::uint16_t MeshLines<kTaps>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
+                                           const MaterialRecord& material, const LightRig& rig) const {
+  const std::uint16_t first_corner = at.mesh().corners[3 * mesh_face];
+  const Rgb8 color = material.shading == MaterialRecord::kUnlit
+                         ? material.color
+                         : facet_color(at.mesh(), mesh_face, first_corner, material, rig, false);
+  return flat_payload(screen_.format, color);
 }
 
 // Puts the instance's vertices on the screen. False where one lies out of the view, or fronts have become backs.
@@ -161,10 +182,11 @@ bool MeshLines<kTaps>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
   if (matrix.mirrored) return false;
   const Projection projection(camera_, screen_);
+  if (!matrix.fits()) return false;
   std::uint32_t vertex = at.first_vertex();
   for (const Position& position : at.mesh().positions) {
-    const ClipPoint clip = matrix(position);
-    if (projection.outcode(clip) != 0) return false;
+    const ClipPoint clip = matrix.unsaturated(position);
+    if (!projection.inside(clip)) return false;
     points_[vertex + 1] = projection(clip).at;
     walker_.forget(vertex++);
   }
@@ -176,33 +198,32 @@ template <bool kTaps>
 void MeshLines<kTaps>::light(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   const LightRig rig(scene_.scene(), at.instance().transform);
-  auto id = static_cast<FaceId>(at.first_face());
+  const bool smooth = smooth_.on(), lit = smooth && !mesh.vertex_normals.empty();
+  const bool quick = rig.grey() && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+  const ScreenXY* const points = &points_[at.first_vertex() + 1];
   const std::uint16_t* corner = mesh.corners.data();
+  auto id = static_cast<FaceId>(at.first_face());
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
-    const bool smooth = smooth_.on() && material.shading == MaterialRecord::kGouraud;
+    const bool unlit = material.shading == MaterialRecord::kUnlit;
+    const Rgb8 own = material.color;
     for (std::uint32_t i = 0; i < group.face_count; ++i, corner += 3) {
-      const std::uint32_t vertex[3] = {at.first_vertex() + corner[0], at.first_vertex() + corner[1],
-                                       at.first_vertex() + corner[2]};
       ++id;
-      if (!is_front(points_[vertex[0] + 1], points_[vertex[1] + 1], points_[vertex[2] + 1])) {
+      if (!is_front(points[corner[0]], points[corner[1]], points[corner[2]])) {
         words_.hide(id);
         continue;
       }
       if (smooth) {
         words_.set(id, 0);
-        for (int k = 0; k < 3; ++k) {
-          if (walker_.file(vertex[k])) levels_[vertex[k] + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
-        }
-        continue;
+      } else if (quick && !unlit) {
+        const Rgb8 color = rig.grey_shade(mesh.face_normals[group.first_face + i], own, false);
+        words_.set(id, rgb565_wire(color.r, color.g, color.b));
+      } else {
+        words_.set(id, flat_color(at, group.first_face + i, material, rig));
       }
-      const Rgb8 color = material.shading == MaterialRecord::kUnlit
-                             ? material.color
-                             : facet_color(mesh, group.first_face + i, corner[0], material, rig, false);
-      words_.set(id, flat_payload(screen_.format, color));
       for (int k = 0; k < 3; ++k) {
-        if (walker_.file(vertex[k]) && smooth_.on() && !mesh.vertex_normals.empty())
-          levels_[vertex[k] + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
+        const std::uint32_t vertex = at.first_vertex() + corner[k];
+        if (walker_.file(vertex) && lit) levels_[vertex + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
       }
     }
   }

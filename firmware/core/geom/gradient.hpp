@@ -18,9 +18,9 @@ struct Gradient {
 inline constexpr std::int32_t kSteepest = 1 << 29;
 
 // The gradient of a triangle of less than 256 pixels each way, where it is not steep, by one reciprocal: off by less
-// than 2^-27 of itself. `rise`: the second and third corner's values less the first's; the result has kBits fraction
-// bits more. False where the triangle is no such.
-template <int kBits>
+// than 2^-27 of itself. `rise`: the second and third corner's values less the first's, kRise at most; the result has
+// kBits fraction bits more. False where the triangle is no such.
+template <int kBits, std::int32_t kRise>
 inline bool small_gradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int32_t rise2, Gradient& out) {
   const auto fits = [](std::int64_t v, std::int32_t limit) { return v > -limit && v < limit; };
   const std::int32_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
@@ -34,15 +34,36 @@ inline bool small_gradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int
     rise1 = -rise1;
     rise2 = -rise2;
   }
-  const std::int64_t along_x = std::int64_t{rise1} * dy2 - std::int64_t{rise2} * dy1;
-  const std::int64_t along_y = std::int64_t{rise2} * dx1 - std::int64_t{rise1} * dx2;
-  if (!fits(along_x, INT32_MAX) || !fits(along_y, INT32_MAX)) return false;
+  std::int32_t along_x, along_y;
+  if constexpr (kRise <= 1 << 18) {
+    along_x = rise1 * dy2 - rise2 * dy1;
+    along_y = rise2 * dx1 - rise1 * dx2;
+  } else {
+    const std::int64_t x = std::int64_t{rise1} * dy2 - std::int64_t{rise2} * dy1;
+    const std::int64_t y = std::int64_t{rise2} * dx1 - std::int64_t{rise1} * dx2;
+    if (!fits(x, INT32_MAX) || !fits(y, INT32_MAX)) return false;
+    along_x = static_cast<std::int32_t>(x);
+    along_y = static_cast<std::int32_t>(y);
+  }
   // along / area * 2^(kBits + 4), where 1 / area = inverse * 2^up / 2^61.
   const int up = std::countl_zero(static_cast<std::uint32_t>(area)) - 1;
   const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(area) << up));
   const int down = 61 - 4 - kBits - up;
-  out.right = shift_round(std::int64_t{static_cast<std::int32_t>(along_x)} * inverse, down);
-  out.down = shift_round(std::int64_t{static_cast<std::int32_t>(along_y)} * inverse, down);
+  const std::int64_t half = std::int64_t{1} << (down - 1);
+  const std::int64_t x = std::int64_t{along_x} * inverse + half, y = std::int64_t{along_y} * inverse + half;
+  if (down < 32) {
+    // Both halves of the sum by themselves: a shift of 64 bits would ask again on which side of 32 it is.
+    const auto high_x = static_cast<std::int32_t>(x >> 32), high_y = static_cast<std::int32_t>(y >> 32);
+    const std::int32_t limit = kSteepest >> (32 - down);
+    if (high_x >= limit || high_x < -limit || high_y >= limit || high_y < -limit) return false;
+    out.right = static_cast<std::int32_t>(static_cast<std::uint32_t>(x) >> down | static_cast<std::uint32_t>(high_x)
+                                                                                      << (32 - down));
+    out.down = static_cast<std::int32_t>(static_cast<std::uint32_t>(y) >> down | static_cast<std::uint32_t>(high_y)
+                                                                                     << (32 - down));
+    return true;
+  }
+  out.right = x >> down;
+  out.down = y >> down;
   return fits(out.right, kSteepest) && fits(out.down, kSteepest);
 }
 

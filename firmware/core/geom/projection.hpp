@@ -48,9 +48,27 @@ struct ClipMatrix {
   // Point: a Position, or what lies a little outside the positions: |x|, |y|, |z| < 2^24 mesh units.
   template <typename Point>
   std::int32_t row(int i, const Point& p) const {
-    const std::int64_t sum = std::int64_t{linear[i][0]} * p.x + std::int64_t{linear[i][1]} * p.y +
-                             std::int64_t{linear[i][2]} * p.z;  // Q17.31
-    return saturate32(shift_round(sum, 15) + offset[i]);
+    return saturate32(wide_row(i, p));
+  }
+  // Not saturated. The offset and the rounding begin the sum, which is then one chain of multiply-adds.
+  template <typename Point>
+  std::int64_t wide_row(int i, const Point& p) const {
+    const std::int64_t sum = std::int64_t{offset[i]} * (1 << 15) + (1 << 14) + std::int64_t{linear[i][0]} * p.x +
+                             std::int64_t{linear[i][1]} * p.y + std::int64_t{linear[i][2]} * p.z;  // Q17.31
+    return sum >> 15;
+  }
+  // Whether no position saturates; then unsaturated() is what operator() is.
+  bool fits() const {
+    for (int i = 0; i < 3; ++i) {
+      std::int64_t most = offset[i] < 0 ? -std::int64_t{offset[i]} : offset[i];
+      for (const std::int32_t c : linear[i]) most += (c < 0 ? -std::int64_t{c} : c) + 1;  // |position| <= 2^15
+      if (most > INT32_MAX) return false;
+    }
+    return true;
+  }
+  ClipPoint unsaturated(const Position& p) const {
+    return {static_cast<std::int32_t>(wide_row(0, p)), static_cast<std::int32_t>(wide_row(1, p)),
+            static_cast<std::int32_t>(wide_row(2, p))};
   }
   template <typename Point>
   ClipPoint operator()(const Point& p) const {
@@ -84,6 +102,14 @@ struct Projection {
     if (p.y < -p.w) code |= Outcode::kTop;
     if (p.y > p.w) code |= Outcode::kBottom;
     return code;
+  }
+
+  // Whether outcode() is 0, without saying which plane it is.
+  bool inside(const ClipPoint& p) const {
+    const auto range = static_cast<std::uint32_t>(far_w - near_w);
+    if (static_cast<std::uint32_t>(p.w) - static_cast<std::uint32_t>(near_w) > range) return false;
+    const std::uint32_t w = static_cast<std::uint32_t>(p.w);
+    return static_cast<std::uint32_t>(p.x) + w <= 2 * w && static_cast<std::uint32_t>(p.y) + w <= 2 * w;
   }
 
   // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the

@@ -27,7 +27,7 @@ Gradient exact_gradient(const ScreenXY (&at)[3], std::int64_t rise1, std::int64_
 BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]) {
   const std::int32_t rise1 = corner[1] - corner[0], rise2 = corner[2] - corner[0];
   Gradient gradient;
-  if (!small_gradient<kBits>(at, rise1, rise2, gradient)) gradient = exact_gradient(at, rise1, rise2);
+  if (!small_gradient<kBits, kFullBrightness>(at, rise1, rise2, gradient)) gradient = exact_gradient(at, rise1, rise2);
   const std::uint32_t half = 1u << (BrightnessPlane::kFraction - 1);
   const std::uint32_t start = (std::uint32_t{corner[0]} << kBits) + half;
   return {at_origin(start, at[0], gradient), static_cast<std::uint32_t>(gradient.right),
@@ -35,7 +35,8 @@ BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&cor
 }
 
 void SmoothCache::clear() {
-  for (std::uint32_t i = 0; on() && i <= look_mask_; ++i) looks_[i].face = 0;
+  for (std::uint32_t i = 0; on() && i <= looks_.capacity(); ++i) looks_[i].face = 0;
+  oldest_ = 0;
   for (std::uint32_t i = 0; on() && i <= table_mask_; ++i) tables_[i].material = 0xffff;
 }
 

@@ -51,7 +51,7 @@ struct SmoothStorage {
   PoolRef<ColorTable> tables;
 };
 
-// The looks and tables made last, each in the place that its number gives it.
+// The looks and tables made last: tables each in the place that its number gives it, looks there or by turns.
 class SmoothCache {
  public:
   SmoothCache() = default;
@@ -77,6 +77,17 @@ class SmoothCache {
     }
     return look;
   }
+  // The same where each face has a word for the number of its look: the look made first gives way. 0: none made yet.
+  template <typename Make>
+  const FaceLook& look(FaceId face, std::uint16_t& word, const Make& make) {
+    FaceLook& last = looks_[word];
+    if (last.face == face) return last;
+    oldest_ = oldest_ == looks_.capacity() ? std::uint16_t{1} : static_cast<std::uint16_t>(oldest_ + 1);
+    word = oldest_;
+    looks_[oldest_] = make(face);
+    looks_[oldest_].face = face;
+    return looks_[oldest_];
+  }
   // Likewise a material's colours.
   const std::uint16_t* colors(std::uint16_t material, const Slice<const MaterialRecord>& materials) {
     ColorTable& table = tables_[material & table_mask_];
@@ -90,6 +101,7 @@ class SmoothCache {
   PoolRef<FaceLook> looks_;
   PoolRef<ColorTable> tables_;
   std::uint32_t look_mask_ = 0, table_mask_ = 0;
+  std::uint16_t oldest_ = 0;
   PixelFormat format_ = PixelFormat::rgb565;
 };
 

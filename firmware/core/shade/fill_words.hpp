@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "core/shade/brightness.hpp"
+
 namespace spanline {
 
 // The line is bytes to everybody else.
@@ -53,6 +55,26 @@ inline void fill_span(std::uint8_t* line, std::uint32_t left, std::uint32_t righ
   auto* const end = reinterpret_cast<WordPixels*>(line) + (right + 1) / 2;
   if (right >= left + 16) return fill_words(word, end, pair);
   for (; word < end; ++word) *word = pair;
+}
+
+// Fills the RGB565 pixels [left, right) with a triangle's brightness in a material's colours, two at a time.
+inline void smooth_span(std::uint8_t* line, std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
+                        std::uint32_t y, const std::uint16_t* colors) {
+  std::uint32_t bright = plane.at(left, y);
+  const std::uint32_t step = plane.right;
+  const auto next = [&] {
+    const std::uint32_t color = colors[bright >> BrightnessPlane::kFraction];
+    bright += step;
+    return color;
+  };
+  auto* at = reinterpret_cast<HalfPixels*>(line) + left;
+  auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
+  if ((left & 1u) != 0) *at++ = static_cast<std::uint16_t>(next());
+  for (; end - at >= 2; at += 2) {
+    const std::uint32_t first = next();
+    *reinterpret_cast<WordPixels*>(at) = next() << 16 | first;
+  }
+  if (at < end) *at = static_cast<std::uint16_t>(next());
 }
 
 }  // namespace spanline

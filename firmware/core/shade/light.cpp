@@ -117,8 +117,7 @@ std::uint32_t LightRig::turned_length(const Normal10& normal) const {
   return dot < 32768 ? dot : 32768;
 }
 
-// Q8.8, of any channel.
-std::uint32_t LightRig::grey_sum(const Normal10& normal, bool flip) const {
+std::uint32_t LightRig::grey_sum_of_all(const Normal10& normal, bool flip) const {
   std::uint32_t sum = ambient_[0];
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {
@@ -127,16 +126,17 @@ std::uint32_t LightRig::grey_sum(const Normal10& normal, bool flip) const {
   return sum;
 }
 
+Rgb8 LightRig::saturated(const Rgb8& color, std::uint32_t sum) {
+  const auto lit = [sum](std::uint32_t channel) {
+    const std::uint32_t v = (channel * sum + 128) >> 8;
+    return static_cast<std::uint8_t>(v < 255 ? v : 255);
+  };
+  return {lit(color.r), lit(color.g), lit(color.b)};
+}
+
 Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, bool flip) const {
   if (material.shading == MaterialRecord::kUnlit) return material.color;
-  if (grey_ && material.reach == MaterialRecord::kAllLight) {  // the channels' sums are the same
-    const std::uint32_t sum = grey_sum(normal, flip);
-    const auto lit = [&](std::uint32_t channel) {
-      const std::uint32_t v = (channel * sum + 128) >> 8;
-      return static_cast<std::uint8_t>(v < 255 ? v : 255);
-    };
-    return {lit(material.color.r), lit(material.color.g), lit(material.color.b)};
-  }
+  if (grey_ && material.reach == MaterialRecord::kAllLight) return grey_shade(normal, material.color, flip);
   std::uint32_t sum[3] = {ambient_[0], ambient_[1], ambient_[2]};  // Q8.8
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {

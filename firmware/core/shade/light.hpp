@@ -25,8 +25,26 @@ class LightRig {
     return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
   }
 
+  // shade() where grey() and the material is lit.
+  Rgb8 grey_shade(const Normal10& normal, const Rgb8& color, bool flip) const {
+    const std::uint32_t sum = grey_sum(normal, flip);
+    if (sum > 256) return saturated(color, sum);
+    const auto lit = [sum](std::uint32_t channel) { return static_cast<std::uint8_t>((channel * sum + 128) >> 8); };
+    return {lit(color.r), lit(color.g), lit(color.b)};
+  }
+
  private:
-  std::uint32_t grey_sum(const Normal10& normal, bool flip) const;
+  static Rgb8 saturated(const Rgb8& color, std::uint32_t sum);
+  // Q8.8, of any channel.
+  std::uint32_t grey_sum(const Normal10& normal, bool flip) const {
+    if (count_ != 1 || !uniform_ || flip) return grey_sum_of_all(normal, flip);
+    const std::int16_t(&d)[3] = direction_[0];
+    const std::int32_t dot = -(d[0] * normal.x() + d[1] * normal.y() + d[2] * normal.z()) >> 8;
+    if (dot <= 0) return ambient_[0];
+    const auto amount = static_cast<std::uint32_t>(dot < 32768 ? dot : 32768);  // Q1.15
+    return ambient_[0] + ((amount * intensity_[0][0] + (1u << 14)) >> 15);
+  }
+  std::uint32_t grey_sum_of_all(const Normal10& normal, bool flip) const;
   std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
   std::uint32_t turned_length(const Normal10& normal) const;
 

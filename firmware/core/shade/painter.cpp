@@ -71,25 +71,9 @@ void Painter::fill(std::uint32_t left, std::uint32_t right, std::uint16_t payloa
 
 void Painter::smooth(std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
                      const std::uint16_t* colors) {
+  if (screen_.format == PixelFormat::rgb565) return smooth_span(out_, left, right, plane, line_, colors);
   std::uint32_t bright = plane.at(left, line_);
-  const std::uint32_t step = plane.right;
-  const auto next = [&] {
-    const std::uint32_t color = colors[bright >> BrightnessPlane::kFraction];
-    bright += step;
-    return color;
-  };
-  if (screen_.format != PixelFormat::rgb565) {
-    for (; left < right; ++left) put_grey(left, next());
-    return;
-  }
-  auto* at = reinterpret_cast<HalfPixels*>(out_) + left;
-  auto* const end = reinterpret_cast<HalfPixels*>(out_) + right;
-  if ((left & 1u) != 0) *at++ = static_cast<std::uint16_t>(next());
-  for (; end - at >= 2; at += 2) {
-    const std::uint32_t first = next();
-    *reinterpret_cast<WordPixels*>(at) = next() << 16 | first;
-  }
-  if (at < end) *at = static_cast<std::uint16_t>(next());
+  for (; left < right; ++left, bright += plane.right) put_grey(left, colors[bright >> BrightnessPlane::kFraction]);
 }
 
 // Pixels that share a byte are written left to right, the first one clears it.

@@ -19,28 +19,27 @@ constexpr std::int32_t centre(std::int32_t pixel) { return pixel * kSubpixels + 
 // The plane of a triangle of less than 256 pixels each way that is not too steep: relative to the exact gradients these
 // are off by less than 2^-27, which over 256 pixels is less than an eighth of a unit of depth. False where it is no
 // such triangle.
-bool small_plane(const FacetVertex (&corner)[3], DepthPlane& plane) {
-  const ScreenXY at[3] = {corner[0].at, corner[1].at, corner[2].at};
+inline bool small_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], DepthPlane& plane) {
   Gradient gradient;
-  if (!small_gradient<kRampShift>(at, static_cast<std::int32_t>(corner[1].depth - corner[0].depth),
-                                  static_cast<std::int32_t>(corner[2].depth - corner[0].depth), gradient)) {
+  if (!small_gradient<kRampShift, 1 << kDepthBits>(at, static_cast<std::int32_t>(depth[1] - depth[0]),
+                                                   static_cast<std::int32_t>(depth[2] - depth[0]), gradient)) {
     return false;
   }
   plane.ramp.slope = static_cast<std::uint32_t>(gradient.right);
   plane.down = static_cast<std::uint32_t>(gradient.down);
-  plane.ramp.at_zero = at_origin(corner[0].depth << kRampShift, at[0], gradient);
+  plane.ramp.at_zero = at_origin(depth[0] << kRampShift, at[0], gradient);
   return true;
 }
 
 }  // namespace
 
-DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
+DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen) {
   DepthPlane plane;
-  if (small_plane(corner, plane)) return plane;
-  const std::int64_t dx1 = corner[1].at.x - corner[0].at.x, dx2 = corner[2].at.x - corner[0].at.x;
-  const std::int64_t dy1 = corner[1].at.y - corner[0].at.y, dy2 = corner[2].at.y - corner[0].at.y;
-  const auto z0 = static_cast<std::int64_t>(corner[0].depth);
-  const std::int64_t dz1 = corner[1].depth - z0, dz2 = corner[2].depth - z0;
+  if (small_plane(at, depth, plane)) return plane;
+  const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
+  const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
+  const auto z0 = static_cast<std::int64_t>(depth[0]);
+  const std::int64_t dz1 = depth[1] - z0, dz2 = depth[2] - z0;
   std::int64_t area = dx1 * dy2 - dx2 * dy1;                                      // below 2^34
   std::int64_t along_x = dz1 * dy2 - dz2 * dy1, along_y = dx1 * dz2 - dx2 * dz1;  // below 2^41
   if (area == 0) return {};                                                       // covers no pixel
@@ -49,14 +48,14 @@ DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen) {
     along_x = -along_x;
     along_y = -along_y;
   }
-  const std::int32_t column = pixel_on_screen(corner[0].at.x, screen.width);
-  const std::int32_t line = pixel_on_screen(corner[0].at.y, screen.height);
+  const std::int32_t column = pixel_on_screen(at[0].x, screen.width);
+  const std::int32_t line = pixel_on_screen(at[0].y, screen.height);
   // Distances are below 2^16, so this is below 2^63.
   const std::int64_t climb =
-      (along_x * (centre(column) - corner[0].at.x) + along_y * (centre(line) - corner[0].at.y)) * (1 << kRampShift);
+      (along_x * (centre(column) - at[0].x) + along_y * (centre(line) - at[0].y)) * (1 << kRampShift);
   plane.ramp.slope = static_cast<std::uint32_t>(round_div(along_x * (kSubpixels << kRampShift), area));
   plane.down = static_cast<std::uint32_t>(round_div(along_y * (kSubpixels << kRampShift), area));
-  plane.ramp.at_zero = (corner[0].depth << kRampShift) + static_cast<std::uint32_t>(floor_div(climb, area)) -
+  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(floor_div(climb, area)) -
                        plane.ramp.slope * static_cast<std::uint32_t>(column) -
                        plane.down * static_cast<std::uint32_t>(line);
   return plane;
@@ -73,7 +72,8 @@ DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& scr
   reader.select(face);
   reader.read([](std::uint16_t) { return Rgb8{}; }, corners);
   CHECK(corners.count == 3);
-  return depth_plane(corners.corner, screen);
+  const FacetVertex(&c)[3] = corners.corner;
+  return depth_plane({c[0].at, c[1].at, c[2].at}, {c[0].depth, c[1].depth, c[2].depth}, screen);
 }
 
 DepthRamp depth_between(const SegmentHalf& left, const SegmentHalf& right) {

@@ -15,7 +15,7 @@ struct DepthPlane {
   DepthRamp ramp;
   std::uint32_t down = 0;
 };
-DepthPlane depth_plane(const FacetVertex (&corner)[3], const Screen& screen);
+DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen);
 
 // The plane of a face of the scene, a triangle that the view does not clip. Makes it the reader's current face.
 DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen);

@@ -19,25 +19,6 @@ void EdgeWalker::insert_back(const ActiveEdge* begin, ActiveEdge* end, const Act
   *at = edge;
 }
 
-// Files an edge among those that begin on the line; they come nearly in order.
-bool EdgeWalker::start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends) {
-  if (alive_ + begun_ + 1 + kSentinels > edges_[0].capacity()) return false;
-  const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
-  const EdgeRun run = is_small(dx, dy) ? start_small_run(top, dx, dy, line, first_centre(bottom.y) - line)
-                                       : start_run(top, bottom, line);
-  const std::uint32_t tall = dy > kTallEdge ? ActiveEdge::kTall : 0;
-  const ActiveEdge edge{run.x, run.dx, cover_of(begins) - cover_of(ends),
-                        static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine + tall + ends};
-  ActiveEdge* const first = &edges_[0][alive_ + 1];
-  ActiveEdge* const end = first + begun_++;
-  if (end != first && end[-1].x > edge.x) {
-    insert_back(first, end, edge);
-  } else {
-    *end = edge;
-  }
-  return true;
-}
-
 // Begins a tall edge again on `line`; false where it has ended, and for every other edge. Of the face that it begins
 // or ends the edge is the left or right one.
 bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {

@@ -54,7 +54,6 @@ class EdgeWalker {
  private:
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
 
-  bool start_edge(ScreenXY top, ScreenXY bottom, std::int32_t line, FaceId begins, FaceId ends);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   // Where a walk has come to: the next edge of those alive, and of those that begin.
   struct Sides {
@@ -72,12 +71,14 @@ class EdgeWalker {
   PlaneCache planes_;
   Screen screen_;
   OverlapSet overlap_;
-  std::uint32_t alive_ = 0, begun_ = 0, most_ = 0;
+  std::uint32_t alive_ = 0, most_ = 0;
 };
 template <typename Drawn>
 bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
-  begun_ = 0;
   const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
+  ActiveEdge* const first = &edges_[0][alive_ + 1];
+  ActiveEdge* out = first;
+  const ActiveEdge* const last = &edges_[0][edges_[0].capacity()];  // for the sentinel
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != 0; vertex = buckets_.next(vertex)) {
     cursor_.to_vertex(vertex - 1u);
     const MeshRecord& mesh = cursor_.mesh();
@@ -85,21 +86,44 @@ bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
     const std::uint32_t first_id = cursor_.first_face() + 1;
     const std::uint16_t* const start = mesh.fan_starts.data() + (vertex - 1u - cursor_.first_vertex());
     const FanEdge* const end = mesh.fans.data() + start[1];
-    const auto id = [&](std::uint32_t face) {
-      const auto number = static_cast<FaceId>(first_id + face);
-      return face != FanEdge::kNone && drawn(number) ? number : FaceId{0};
-    };
+    const ScreenXY top = points_[vertex];
     for (const FanEdge* edge = mesh.fans.data() + start[0]; edge != end; ++edge) {
       const ScreenXY bottom = points[edge->to];
       if (bottom.y <= lowest) continue;
       // Of an edge that runs down, the counter-clockwise face lies on the right.
-      const FaceId begins = id(edge->face), ends = id(edge->twin);
-      if (begins == ends) continue;  // neither is drawn
-      if (!start_edge(points_[vertex], bottom, line, begins, ends)) return false;
+      const std::uint32_t face = edge->face, twin = edge->twin;
+      const bool begins = face != FanEdge::kNone && drawn(static_cast<FaceId>(first_id + face));
+      const bool ends = twin != FanEdge::kNone && drawn(static_cast<FaceId>(first_id + twin));
+      if (!begins && !ends) continue;
+      if (out >= last) return false;
+      CoverKey toggle = 0;
+      std::uint32_t rest = 0;
+      if (begins) toggle = (CoverKey{1} << kCoverCount) + first_id + face;
+      if (ends) {
+        rest = first_id + twin;
+        toggle -= (CoverKey{1} << kCoverCount) + rest;
+      }
+      const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
+      EdgeRun run;
+      if (is_small(dx, dy)) [[likely]] {
+        run = start_small_run(top, dx, dy, line, first_centre(bottom.y) - line);
+      } else {
+        run = start_run(top, bottom, line);
+        if (dy > kTallEdge) rest += ActiveEdge::kTall;
+      }
+      rest += static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine;
+      const ActiveEdge begun{run.x, run.dx, toggle, rest};
+      // They come nearly in order.
+      if (out != first && out[-1].x > run.x) {
+        insert_back(first, out++, begun);
+      } else {
+        *out++ = begun;
+      }
     }
   }
-  if (alive_ + begun_ + kSentinels > most_) most_ = alive_ + begun_ + kSentinels;
-  edges_[0][alive_].x = edges_[0][alive_ + 1 + begun_].x = ActiveEdge::kNever;
+  const auto begun = static_cast<std::uint32_t>(out - first);
+  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
+  first[-1].x = out->x = ActiveEdge::kNever;
   return true;
 }
 
@@ -140,8 +164,7 @@ bool EdgeWalker::walk(std::int32_t line, Sink& sink, const Plane& plane) {
   for (;;) {
     const ActiveEdge* next = edge;
     std::int32_t x = next->x;
-    const bool begins = fresh_x < x;
-    if (begins) [[unlikely]] {
+    if (fresh_x < x) [[unlikely]] {
       next = fresh;
       x = fresh_x;
     }
@@ -157,22 +180,32 @@ bool EdgeWalker::walk(std::int32_t line, Sink& sink, const Plane& plane) {
         }
         left = column;
       }
-      if (x == ActiveEdge::kNever) break;
+      if (column == width && x == ActiveEdge::kNever) break;
     }
-    if (begins) [[unlikely]] {
+    if (next == fresh) [[unlikely]] {
       fresh_x = (++fresh)->x;
     } else {
       ++edge;
     }
-    key += next->toggle;
-    ActiveEdge stepped{x + next->dx, next->dx, next->toggle, next->rest - ActiveEdge::kOneLine};
-    if (stepped.rest < ActiveEdge::kOneLine && !run_again(stepped, line + 1)) continue;
-    if (stepped.x >= furthest) [[likely]] {
-      furthest = stepped.x;
-      *out++ = stepped;
-    } else {
-      insert_back(begin, out++, stepped);
+    const CoverKey toggle = next->toggle;
+    const std::uint32_t rest = next->rest - ActiveEdge::kOneLine;
+    const std::int32_t dx = next->dx;
+    key += toggle;
+    x += dx;
+    out->x = x;
+    out->dx = dx;
+    out->toggle = toggle;
+    out->rest = rest;
+    if (rest < ActiveEdge::kOneLine) [[unlikely]] {
+      if (!run_again(*out, line + 1)) continue;
+      x = out->x;
     }
+    if (x < furthest) [[unlikely]] {
+      insert_back(begin, out, ActiveEdge{*out});
+    } else {
+      furthest = x;
+    }
+    ++out;
   }
   alive_ = static_cast<std::uint32_t>(out - begin);
   std::swap(edges_[0], edges_[1]);
