@@ -72,8 +72,9 @@ Rgb8 background_behind(const VisiblePolygon& polygon, const SceneDescription& sc
 
 Rgb8 seen_colour(const VisiblePolygon& polygon, const FacetList& facets, const SceneDescription& scene) {
   Rgb8 color = polygon.facet == area::kBackdrop ? background_behind(polygon, scene) : facets[polygon.facet].color;
-  for (auto film = polygon.films.rbegin(); film != polygon.films.rend(); ++film) {
-    const Rgb8 own = facets[*film].color, through = facets[*film].transmission;
+  for (std::size_t i = polygon.films.size(); i > 0; --i) {
+    const Facet& film = facets[polygon.films[i - 1]];
+    const Rgb8 own = film.color, through = film.transmission;
     const auto mix = [](int front, int behind, int t) {
       return static_cast<std::uint8_t>((front * (255 - t) + behind * t + 127) / 255);
     };
