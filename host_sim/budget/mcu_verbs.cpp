@@ -7,6 +7,7 @@
 #include "assetc/input_error.hpp"
 #include "boards/common/run_request.hpp"
 #include "budget/budget.hpp"
+#include "budget/profile_json.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
 #include "sim/picture.hpp"
@@ -44,7 +45,7 @@ struct RunArguments {
 
   // The images of our boards run for ever unless an emulator asks for a last frame.
   void request_frames(const Image& opened) {
-    if (!opened.has_symbol("run_request")) return;
+    if (!opened.defines("run_request")) return;
     const std::uint32_t last = options.passages - 1, at = opened.address_of("run_request");
     options.words = {{at, last}, {at + 4, last ^ boards::RunRequest::kSeal}};
   }
@@ -56,7 +57,7 @@ struct McuVerbs::Verbs {
   CLI::App* run_verb;
   CLI::App* budget_verb;
   RunArguments run, budget;
-  std::optional<std::string> out, json, notes;
+  std::optional<std::string> out, json, html, profile, notes;
   bool no_stack = false;
 
   void do_run() {
@@ -67,16 +68,23 @@ struct McuVerbs::Verbs {
     const RunReport report = run_image(image, board, run.options);
     std::cout << report.output;
     if (out) write_picture(*out, report.panel->picture);
+    if (profile) write_file(*profile, profile_json(report));
     std::cerr << "spanline: " << report.end << " after " << report.total.instructions << " instructions\n";
     if (report.exit_code != 0)
       throw InputError(image.path(), "the image ended with " + std::to_string(report.exit_code));
-    if (report.panel && !report.panel->complaints.empty()) throw InputError(image.path(), report.panel->complaints.front());
+    if (report.panel && !report.panel->complaints.empty())
+      throw InputError(image.path(), report.panel->complaints.front());
   }
 
   void do_budget() {
     const BoardDescription& board = board_named(budget.board);
     const Image image = budget.open();
-    Budget report{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, budget.options)};
+    if (budget.options.from.empty() && budget.options.until.empty() && image.defines(kFrameBeginMark)) {
+      budget.options.from = kFrameBeginMark;
+      budget.options.until = kFrameEndMark;
+    }
+    Budget report{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, budget.options), {}};
+    report.frames = frame_report(report.run, board.kilohertz);
     if (!no_stack) {
       const StackNotes known = notes ? read_stack_notes(image, *notes) : StackNotes{};
       const StartState start = start_of(image, board);
@@ -85,6 +93,7 @@ struct McuVerbs::Verbs {
     }
     std::cout << budget_text(report);
     if (json) write_file(*json, budget_json(report));
+    if (html) write_file(*html, budget_html(report));
     if (report.stack && !report.stack->problems.empty()) {
       throw InputError(image.path(), "the stack is not bounded: " + report.stack->problems.front() +
                                          "; state what is known with --stack-notes, or leave it out with --no-stack");
@@ -97,16 +106,19 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
   v.run_verb = app.add_subcommand("run", "run the image of a board, instruction by instruction");
   v.run.add_to(*v.run_verb);
   v.run_verb->add_option("--out", v.out, "what the panel shows at the end, .png or .ppm");
+  v.run_verb->add_option("--profile", v.profile, "write the call tree with its cycles there, for a flame graph");
   v.budget_verb = app.add_subcommand("budget", "memory, stack, instructions and core cycles of a board's image");
   v.budget.add_to(*v.budget_verb);
   v.budget_verb->add_option("--from", v.budget.options.from, "count from this symbol to --until only");
   v.budget_verb->add_option("--json", v.json, "write the whole report there");
-  v.budget_verb->add_option("--stack-notes", v.notes, "lines 'CALLER calls CALLEE' and 'FUNCTION recurses N'");
+  v.budget_verb->add_option("--html", v.html, "write a page with plots there");
+  v.budget_verb->add_option("--stack-notes", v.notes,
+                            "lines 'CALLER calls CALLEE', 'CALLER may call CALLEE' and 'FUNCTION recurses N'");
   v.budget_verb->add_flag("--no-stack", v.no_stack, "do not bound the stack from the code");
   v.budget_verb->footer(
-      "An image ends at a BKPT, an SVC, a semihosting exit, a jump to itself, WFI or --until. Core cycles hold for "
-      "zero wait "
-      "states; peripherals are not modelled, touching one is an error.");
+      "An image ends at a BKPT, an SVC, a semihosting exit, a jump to itself, WFI or --until; images with the marks of "
+      "ours are counted frame by frame unless --from or --until says otherwise. Core cycles hold for zero wait states; "
+      "memory stalls are an estimate.");
 }
 
 McuVerbs::~McuVerbs() = default;

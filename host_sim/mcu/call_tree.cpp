@@ -1,5 +1,7 @@
 #include "mcu/call_tree.hpp"
 
+#include <algorithm>
+
 namespace spanline::host {
 
 std::uint32_t CallTree::find(std::uint32_t place, const Places& places) {
@@ -10,10 +12,25 @@ std::uint32_t CallTree::find(std::uint32_t place, const Places& places) {
     const auto next = static_cast<std::uint32_t>(nodes_.size());
     const auto [child, is_first] = nodes_[node].children.try_emplace(frame, next);
     const std::uint32_t index = child->second;
-    if (is_first) nodes_.push_back({node, frame, places.stage(frame).value_or(nodes_[node].stage), {}, {}});
+    if (is_first)
+      nodes_.push_back({node,
+                        frame,
+                        places.stage(frame).value_or(nodes_[node].stage),
+                        frame != places.frames(place).front(),
+                        {},
+                        {}});
     node = index;
   }
   return known->second = node;
+}
+
+std::vector<std::uint32_t> CallTree::callers_of(std::uint32_t node) const {
+  std::vector<std::uint32_t> frames;
+  for (; node != 0; node = nodes_[node].parent) {
+    if (!nodes_[node].inlined) frames.push_back(nodes_[node].frame);
+  }
+  std::reverse(frames.begin(), frames.end());
+  return frames;
 }
 
 void CallTree::call(std::uint32_t return_to) {

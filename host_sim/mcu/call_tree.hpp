@@ -19,12 +19,13 @@ class CallTree {
     std::uint32_t parent;
     std::uint32_t frame;  // of Places; the root's is kRoot
     Stage stage;          // of its file, or its caller's
+    bool inlined;
     Count self;
     std::map<std::uint32_t, std::uint32_t> children;  // by frame
   };
   static constexpr std::uint32_t kRoot = UINT32_MAX;
 
-  CallTree() : nodes_{{0, kRoot, Stage::other, {}, {}}} {}
+  CallTree() : nodes_{{0, kRoot, Stage::other, false, {}, {}}} {}
 
   // The next instruction belongs to this place.
   void at(std::uint32_t place, const Places& places) {
@@ -33,7 +34,12 @@ class CallTree {
     node_ = find(place, places);
   }
   Stage stage() const { return nodes_[node_].stage; }
-  void charge(const Count& count) { nodes_[node_].self += count; }
+  std::uint32_t node() const { return node_; }
+
+  // The functions that were on their way at `node`, outermost first, what is inlined left out; by frame.
+  std::vector<std::uint32_t> callers_of(std::uint32_t node) const;
+  void charge(const Count& count) { charge_at(node_, count); }
+  void charge_at(std::uint32_t node, const Count& count) { nodes_[node].self += count; }
 
   // A call that will come back to `return_to`; a jump somewhere, perhaps back.
   void call(std::uint32_t return_to);

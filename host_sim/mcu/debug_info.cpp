@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <functional>
+#include <map>
 
 namespace spanline::host {
 namespace {
@@ -62,10 +63,14 @@ struct DebugInfo::Reader {
   int file = -1;
   Dwarf* dwarf = nullptr;
   std::vector<Scope> functions;
+  std::map<Dwarf_Addr, std::string> variables;  // files by address
 
   explicit Reader(const std::string& path) : file(open(path.c_str(), O_RDONLY)) {
     if (file >= 0) dwarf = dwarf_begin(file, DWARF_C_READ);
-    each_unit([this](Dwarf_Die& unit) { read_scopes(unit, functions); });
+    each_unit([this](Dwarf_Die& unit) {
+      read_scopes(unit, functions);
+      read_variables(unit);
+    });
   }
   ~Reader() {
     dwarf_end(dwarf);
@@ -103,6 +108,22 @@ struct DebugInfo::Reader {
       scope.frame = {without_arguments(name_of(child)), source == nullptr ? "" : source};
       read_scopes(child, scope.inlined);
       out.push_back(std::move(scope));
+    });
+  }
+
+  void read_variables(Dwarf_Die& die) {
+    each_child(die, [this](Dwarf_Die& child) {
+      if (dwarf_tag(&child) != DW_TAG_variable) return read_variables(child);
+      Dwarf_Attribute attribute;
+      Dwarf_Op* place = nullptr;
+      std::size_t operations = 0;
+      const char* const source = dwarf_decl_file(&child);
+      if (source == nullptr ||
+          dwarf_getlocation(dwarf_attr(&child, DW_AT_location, &attribute), &place, &operations) != 0 ||
+          operations != 1 || place->atom != DW_OP_addr) {
+        return;
+      }
+      variables.emplace(place->number, source);
     });
   }
 
@@ -157,6 +178,13 @@ std::vector<DebugInfo::Frame> DebugInfo::frames_at(std::uint32_t address) const 
     scopes = deeper;
   }
   return frames;
+}
+
+std::string DebugInfo::file_of(std::uint32_t address) const {
+  const auto variable = reader_->variables.find(address);
+  if (variable != reader_->variables.end()) return variable->second;
+  const std::vector<Frame> frames = frames_at(address);
+  return frames.empty() ? "" : frames.front().file;
 }
 
 std::optional<DebugInfo::Structure> DebugInfo::structure(const std::string& name_begin) const {

@@ -35,6 +35,9 @@ class DebugInfo {
   // The function at `address` and what is inlined there, outermost first; empty where nothing is known.
   std::vector<Frame> frames_at(std::uint32_t address) const;
 
+  // The file that defines the function or variable at `address`; empty where nothing is known.
+  std::string file_of(std::uint32_t address) const;
+
   // The first structure whose name begins so.
   std::optional<Structure> structure(const std::string& name_begin) const;
 

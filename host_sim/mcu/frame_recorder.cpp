@@ -15,12 +15,21 @@ StageCounts difference(const StageCounts& a, const StageCounts& b) {
 
 void FrameRecorder::begin_frame(const Ledger& so_far) {
   open_ = true;
+  prepared_ = false;
   begin_ = line_begin_ = so_far.total();
   stages_begin_ = stages_line_begin_ = so_far.stages();
   first_pixel_ = pixels_;
   waits_.clear();
   frames_.emplace_back();
   frames_.back().begin = so_far.total().time();
+}
+
+void FrameRecorder::begin_lines(const Ledger& so_far) {
+  if (!open_ || prepared_) return;
+  prepared_ = true;
+  frames_.back().prepare = so_far.total() - begin_;
+  line_begin_ = so_far.total();
+  stages_line_begin_ = so_far.stages();
 }
 
 void FrameRecorder::gave(std::uint64_t pixels, const Ledger& so_far) {

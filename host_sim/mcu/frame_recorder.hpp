@@ -21,6 +21,7 @@ struct FrameRecord {
   std::uint64_t begin = 0, end = 0;  // of the frame, core cycles since reset
   Count count;
   StageCounts stages;
+  Count prepare;  // before its first line began; the first line's count is without it
   std::vector<Line> lines;
   std::uint64_t bytes = 0;       // on the wire, commands too
   std::uint64_t wire = 0;        // cycles in which the wire was busy
@@ -33,6 +34,8 @@ class FrameRecorder {
   FrameRecorder(std::uint32_t lines, std::uint32_t line_bytes) : lines_(lines), line_bytes_(line_bytes) {}
 
   void begin_frame(const Ledger& so_far);
+  // The first line of a frame begins; where nobody says so, its preparation counts as the first line's.
+  void begin_lines(const Ledger& so_far);
   void end_frame(const Ledger& so_far, const std::vector<DisplayWire::Byte>& wire);
 
   // The core gave the port pixel bytes, `pixels` in all since reset.
@@ -50,7 +53,7 @@ class FrameRecorder {
   void place_bytes(FrameRecord& frame, const std::vector<DisplayWire::Byte>& wire);
 
   std::uint32_t lines_, line_bytes_;
-  bool open_ = false;
+  bool open_ = false, prepared_ = false;
   Count begin_, line_begin_;
   StageCounts stages_begin_{}, stages_line_begin_{};
   std::uint64_t pixels_ = 0, first_pixel_ = 0;

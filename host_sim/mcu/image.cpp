@@ -177,10 +177,14 @@ std::string Image::name_at(std::uint32_t address) const {
   return index < 0 ? hex(address) : functions_[static_cast<std::size_t>(index)].name;
 }
 
+bool Image::Name::is(const std::string& wanted) const {
+  return wanted == plain || wanted == mangled || wanted == without_parameters(plain);
+}
+
 std::uint32_t Image::address_of(const std::string& name) const {
   const Name* found = nullptr;
   for (const Name& candidate : names_) {
-    if (name != candidate.plain && name != candidate.mangled && name != without_parameters(candidate.plain)) continue;
+    if (!candidate.is(name)) continue;
     if (found != nullptr && found->address != candidate.address) {
       throw InputError(path_, "has several symbols '" + printable(name) + "', at " + hex(found->address) + " and " +
                                   hex(candidate.address) + ": give the mangled name");
@@ -191,8 +195,8 @@ std::uint32_t Image::address_of(const std::string& name) const {
   return found->address;
 }
 
-bool Image::has_symbol(const std::string& mangled) const {
-  return std::any_of(names_.begin(), names_.end(), [&](const Name& name) { return name.mangled == mangled; });
+bool Image::defines(const std::string& name) const {
+  return std::any_of(names_.begin(), names_.end(), [&](const Name& candidate) { return candidate.is(name); });
 }
 
 bool Image::read(std::uint32_t address, std::uint32_t size, void* out) const {

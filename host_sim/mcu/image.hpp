@@ -51,7 +51,8 @@ class Image {
   // is none, or several of that name.
   std::uint32_t address_of(const std::string& name) const;
 
-  bool has_symbol(const std::string& mangled) const;
+  // Whether there is one, by any of its names.
+  bool defines(const std::string& name) const;
 
   // Reads through addresses of execution first (code copied to RAM included), then through load addresses. False where
   // nothing is.
@@ -65,6 +66,7 @@ class Image {
   struct Name {
     std::string plain, mangled;
     std::uint32_t address;
+    bool is(const std::string& wanted) const;
   };
   void read_segments(void* elf);
   void read_sections(void* elf);

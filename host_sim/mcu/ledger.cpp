@@ -4,6 +4,18 @@
 
 namespace spanline::host {
 
+void Ledger::charge_waiting(std::uint64_t begin) {
+  for (const Charge& charge : recent_) {
+    if (charge.when < begin) continue;
+    const Count waited{0, 0, 0, charge.time};
+    total_ += waited;
+    functions_[charge.function] += waited;
+    stages_[static_cast<std::size_t>(charge.stage)] += waited;
+    calls_.charge_at(charge.node, waited);
+  }
+  recent_.clear();
+}
+
 void Ledger::end() {
   passages_.push_back(total_ - begin_);
   counted_.resize(functions_.size());

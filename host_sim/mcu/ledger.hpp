@@ -17,13 +17,18 @@ class Ledger {
   explicit Ledger(std::size_t functions) : functions_(functions + 1), at_begin_(functions + 1) {}
 
   void charge(const DecodedCode::Entry& entry, const Count& count) {
+    recent_.push_back({total_.time(), count.time(), entry.function, calls_.node(), calls_.stage()});
     total_ += count;
     functions_[entry.function] += count;
     stages_[static_cast<std::size_t>(calls_.stage())] += count;
     calls_.charge(count);
+    if (recent_.size() == kLongestLoop) recent_.clear();
   }
-  // So many of the cycles charged last were spent in a loop that waits, in the function of `entry`.
-  void charge_waiting(const DecodedCode::Entry& entry, std::uint64_t cycles) { charge(entry, {0, 0, 0, cycles}); }
+
+  // Nothing before this can have been a turn of a loop that waits.
+  void forget_recent() { recent_.clear(); }
+  // What was charged since `begin` was a turn of a loop that waits.
+  void charge_waiting(std::uint64_t begin);
 
   const Count& total() const { return total_; }
   const StageCounts& stages() const { return stages_; }
@@ -39,8 +44,18 @@ class Ledger {
 
   const std::vector<Count>& passages() const { return passages_; }
   const std::vector<Count>& functions() const { return counted_; }
+  // Of the whole run, counted or not.
+  const std::vector<Count>& all_functions() const { return functions_; }
 
  private:
+  struct Charge {
+    std::uint64_t when, time;
+    std::uint32_t function, node;
+    Stage stage;
+  };
+  static constexpr std::size_t kLongestLoop = 1024;  // instructions of a turn
+
+  std::vector<Charge> recent_;
   Count total_, begin_;
   StageCounts stages_{};
   std::vector<Count> functions_, at_begin_, counted_;

@@ -84,7 +84,8 @@ class Machine {
   std::optional<FrameRecorder> frames_;
   std::deque<Window> windows_;
   std::uint32_t vectors_ = 0;
-  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere, main_ = kNowhere;
+  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere, main_ = kNowhere,
+                next_line_ = kNowhere;
   bool counting_ = true, ended_ = false;
   const DecodedCode::Entry* current_ = nullptr;
   std::uint32_t current_address_ = 0, block_end_ = 0;
@@ -92,7 +93,7 @@ class Machine {
   unsigned stall_ = 0;
   Execution how_;
   bool sp_changed_ = true;
-  std::uint32_t lowest_sp_ = 0, deepest_at_ = 0;
+  std::uint32_t lowest_sp_ = 0, deepest_at_ = 0, deepest_node_ = 0;
   std::string failure_;
   RunReport report_;
 };
@@ -117,11 +118,17 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
 void Machine::find_marks() {
   if (!options_.from.empty()) from_ = image_.address_of(options_.from) & ~1u;
   if (!options_.until.empty()) until_ = image_.address_of(options_.until) & ~1u;
-  if (image_.has_symbol("main")) main_ = image_.address_of("main") & ~1u;
-  if (!board_.panel || !image_.has_symbol(kFrameBeginMark) || !image_.has_symbol(kFrameEndMark)) return;
+  if (image_.defines("main")) main_ = image_.address_of("main") & ~1u;
+  if (!image_.defines(kFrameBeginMark) || !image_.defines(kFrameEndMark)) return;
   frame_begin_ = image_.address_of(kFrameBeginMark) & ~1u;
   frame_end_ = image_.address_of(kFrameEndMark) & ~1u;
-  frames_.emplace(board_.screen.height, bytes_per_line(board_.screen.format, board_.screen.width));
+  for (const Image::Symbol& function : image_.functions()) {
+    if (function.name.find("Frame<") != std::string::npos && function.name.find("::next_line(") != std::string::npos) {
+      next_line_ = function.address;
+    }
+  }
+  const std::uint32_t line_bytes = bytes_per_line(board_.screen.format, board_.screen.width);
+  frames_.emplace(board_.screen.height, line_bytes == 0 ? 1 : line_bytes);
 }
 
 void Machine::map_registers(std::uint32_t base, std::uint32_t bytes) {
@@ -227,8 +234,8 @@ std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {
   }
   if (!value) fail("reads the register " + hex(address) + ", which is not modelled");
   const std::optional<WaitFinder::Wait> wait = waits_.asked(current_address_, now());
-  if (wait && current_ != nullptr) {
-    ledger_.charge_waiting(*current_, wait->end - wait->begin);
+  if (wait) {
+    ledger_.charge_waiting(wait->begin);
     if (frames_) frames_->waited(wait->begin, wait->end);
   }
   return value.value_or(0);
@@ -310,11 +317,12 @@ void Machine::watch_stack(std::uint32_t address) {
   if (sp >= lowest_sp_) return;
   lowest_sp_ = sp;
   deepest_at_ = address;
+  deepest_node_ = ledger_.calls().node();
 }
 
 void Machine::end_frame() {
-  chip_->advance(now());
-  frames_->end_frame(ledger_, chip_->wire().bytes());
+  if (chip_) chip_->advance(now());
+  frames_->end_frame(ledger_, chip_ ? chip_->wire().bytes() : std::vector<DisplayWire::Byte>{});
 }
 
 void Machine::enter_marks(std::uint32_t address) {
@@ -329,6 +337,7 @@ void Machine::enter_marks(std::uint32_t address) {
   }
   if (address == main_) pools_.clear();
   if (address == frame_begin_) frames_->begin_frame(ledger_);
+  if (address == next_line_) frames_->begin_lines(ledger_);
   if (address == frame_end_) end_frame();
 }
 
@@ -368,6 +377,7 @@ void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
   if (current_ == nullptr) return;
   if (write) {
     waits_.stored();
+    ledger_.forget_recent();
     pools_.written(address);
   } else {
     stall_ += timing_.read(address);
@@ -440,6 +450,12 @@ void Machine::fill_report(const StartState& start) {
   report_.calls = ledger_.calls();
   report_.places = code_.places().all();
   report_.pools = pools_.pools();
+  for (const std::uint32_t frame : report_.calls.callers_of(deepest_node_)) {
+    report_.stack_path.push_back(report_.places[frame].name);
+  }
+  for (std::size_t i = 0; i < image_.functions().size(); ++i) {
+    if (ledger_.all_functions()[i].instructions != 0) report_.executed.push_back(image_.functions()[i].name);
+  }
   if (frames_) report_.frames = frames_->frames();
   if (!chip_) return;
   const DisplayWire& wire = chip_->wire();

@@ -47,14 +47,16 @@ struct RunReport {
   std::vector<Count> passages;   // each from `from` to `until`
   std::vector<Count> functions;  // in the order of Image::functions(), then what belongs to none
   std::uint32_t initial_sp = 0;
-  std::uint32_t stack_reached = 0;    // bytes below initial_sp, of the whole run
-  std::string stack_deepest;          // the function that reached it
-  std::optional<PanelReport> panel;   // where the board has one
-  std::vector<FrameRecord> frames;    // of images whose frames are marked
-  CallTree calls;                     // of what was counted
-  std::vector<PoolUse> pools;         // of the image's FrameMemory, where its debug information tells of one
-  std::vector<Places::Frame> places;  // the frames of `calls`
-  std::uint64_t unknown = 0;          // instructions that the decoder has no name for, taken as one cycle each
+  std::uint32_t stack_reached = 0;      // bytes below initial_sp, of the whole run
+  std::string stack_deepest;            // the function that reached it
+  std::vector<std::string> stack_path;  // and who called it, outermost first
+  std::vector<std::string> executed;    // functions of which the run executed anything
+  std::optional<PanelReport> panel;     // where the board has one
+  std::vector<FrameRecord> frames;      // of images whose frames are marked
+  CallTree calls;                       // of what was counted
+  std::vector<PoolUse> pools;           // of the image's FrameMemory, where its debug information tells of one
+  std::vector<Places::Frame> places;    // the frames of `calls`
+  std::uint64_t unknown = 0;            // instructions that the decoder has no name for, taken as one cycle each
 };
 
 // Throws InputError where the image does not fit the board, faults (with the registers and the function's name),

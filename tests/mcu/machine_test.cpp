@@ -104,8 +104,8 @@ std::string fault_on(const char* board, std::uint32_t flash, const std::vector<s
 TEST(Machine, SaysWhichRegisterIsNotModelled) {
   // ldr r0, =ADDRESS; ldr r1, [r0]; bkpt
   const auto reads = [](std::uint32_t address) {
-    return std::vector<std::uint16_t>{0x4801, 0x6801, 0xBE00, 0xBF00, static_cast<std::uint16_t>(address),
-                                      static_cast<std::uint16_t>(address >> 16)};
+    return std::vector<std::uint16_t>{
+        0x4801, 0x6801, 0xBE00, 0xBF00, static_cast<std::uint16_t>(address), static_cast<std::uint16_t>(address >> 16)};
   };
   constexpr std::uint32_t kFlash = 0x0800'0000;
   EXPECT_EQ(fault_on("stm32f429i-disc1", kFlash, reads(0x4002'3800)), "none");

@@ -1,0 +1,26 @@
+#include "budget/budget.hpp"
+#include "budget/page.hpp"
+#include "budget/profile_json.hpp"
+
+namespace spanline::host {
+namespace {
+
+// Inside a script element nothing may look like its end.
+std::string quoted(const std::string& json) {
+  std::string text;
+  for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& key, const std::string& value) {
+  return text.replace(text.find(key), key.size(), value);
+}
+
+}  // namespace
+
+std::string budget_html(const Budget& budget) {
+  const std::string page = replaced(kPage, "@REPORT@", quoted(budget_json(budget)));
+  return replaced(page, "@PROFILE@", quoted(profile_json(budget.run)));
+}
+
+}  // namespace spanline::host

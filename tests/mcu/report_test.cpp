@@ -1,0 +1,73 @@
+// The parts of a run's account: calls, waiting, stalls, names.
+#include <gtest/gtest.h>
+
+#include "budget/plain_name.hpp"
+#include "mcu/ledger.hpp"
+#include "mcu/memory_timing.hpp"
+#include "mcu/stage.hpp"
+
+namespace spanline::host {
+namespace {
+
+TEST(PlainName, LeavesOutWhatNobodySays) {
+  EXPECT_EQ(plain_name("void spanline::Sorter<A, B<C> >::run<D>(D&, int) [clone .isra.0]"), "spanline::Sorter::run");
+  EXPECT_EQ(plain_name("spanline::boards::(anonymous namespace)::run()"), "spanline::boards::run");
+  EXPECT_EQ(plain_name("__aeabi_lmul"), "__aeabi_lmul");
+  EXPECT_EQ(plain_name("spanline::F::operator()(int) const"), "spanline::F::operator()");
+}
+
+TEST(Stages, ComeFromTheSource) {
+  EXPECT_EQ(stage_of("/x/firmware/core/vsg/depth_sorter.hpp"), Stage::depth);
+  EXPECT_EQ(stage_of("/x/firmware/core/vsg/x_sort.hpp"), Stage::segment);
+  EXPECT_EQ(stage_of("/x/firmware/core/vsg/edge_table.cpp"), Stage::edges);
+  EXPECT_EQ(stage_of("/x/firmware/core/base/pool.hpp"), std::nullopt);
+  EXPECT_EQ(stage_of(""), std::nullopt);
+}
+
+TEST(WaitFinder, SeesALoopThatAsksAgain) {
+  WaitFinder waits;
+  EXPECT_FALSE(waits.asked(0x100, 10));
+  const std::optional<WaitFinder::Wait> turn = waits.asked(0x100, 16);
+  ASSERT_TRUE(turn);
+  EXPECT_EQ(turn->begin, 10u);
+  EXPECT_EQ(turn->end, 16u);
+  waits.stored();
+  EXPECT_FALSE(waits.asked(0x100, 22));
+}
+
+TEST(WaitFinder, CountsALoopWithTwoQuestionsOnce) {
+  WaitFinder waits;
+  std::uint64_t waited = 0;
+  for (std::uint64_t now = 0; now < 100; now += 10) {
+    for (const std::uint32_t instruction : {0x100u, 0x106u}) {
+      const auto wait = waits.asked(instruction, now + (instruction == 0x106 ? 4 : 0));
+      if (wait) waited += wait->end - wait->begin;
+    }
+  }
+  EXPECT_EQ(waited, 94u);
+}
+
+TEST(CacheTags, ForgetWhatWasUsedLongestAgo) {
+  CacheTags tags(1, 2);
+  EXPECT_FALSE(tags.take(1));
+  EXPECT_FALSE(tags.take(2));
+  EXPECT_TRUE(tags.take(1));
+  EXPECT_FALSE(tags.take(3));
+  EXPECT_FALSE(tags.take(2));
+  EXPECT_TRUE(tags.take(3));
+}
+
+TEST(MemoryTiming, PrefetchHidesAsMuchAsThePreviousLineTook) {
+  MemoryTiming timing({.base = 0x1000, .size = 0x1000, .line_bits = 4, .code_ways = 4, .prefetches = true});
+  timing.set_miss(5);
+  EXPECT_EQ(timing.fetch(0x1000, 100), 5u);  // entered at 105
+  EXPECT_EQ(timing.fetch(0x1004, 106), 0u);
+  EXPECT_EQ(timing.fetch(0x1010, 108), 2u);  // three cycles were there to fetch it
+  EXPECT_EQ(timing.fetch(0x1020, 200), 0u);  // long since fetched
+  EXPECT_EQ(timing.fetch(0x1100, 201), 5u);  // a jump
+  EXPECT_EQ(timing.fetch(0x1000, 300), 0u);  // still in the cache
+  EXPECT_EQ(timing.fetch(0x5000, 301), 0u);  // another memory
+}
+
+}  // namespace
+}  // namespace spanline::host
