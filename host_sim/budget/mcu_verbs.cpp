@@ -7,6 +7,8 @@
 #include "assetc/input_error.hpp"
 #include "boards/common/run_request.hpp"
 #include "budget/budget.hpp"
+#include "budget/budget_file.hpp"
+#include "budget/budget_table.hpp"
 #include "budget/profile_json.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
@@ -57,27 +59,69 @@ struct McuVerbs::Verbs {
   CLI::App* run_verb;
   CLI::App* budget_verb;
   RunArguments run, budget;
-  std::optional<std::string> out, json, html, profile, notes;
+  CLI::App* table_verb;
+  std::optional<std::string> out, shown, json, html, profile, notes, limits, accept, table_out;
+  std::vector<std::string> reports;
   bool no_stack = false;
+
+  static void check_picture(const std::optional<std::string>& path, const BoardDescription& board) {
+    if (!path) return;
+    check_picture_path(*path);
+    if (!board.panel) throw UsageError("--out: " + std::string(board.name) + " has no panel that is modelled");
+  }
+
+  // What the panel shows is written even where it has something to complain about.
+  static void write_shown(const std::optional<std::string>& path, const RunReport& report, const Image& image) {
+    if (path) write_picture(*path, report.panel->picture);
+    if (report.panel && !report.panel->complaints.empty()) {
+      throw InputError(image.path(), report.panel->complaints.front());
+    }
+  }
 
   void do_run() {
     const BoardDescription& board = board_named(run.board);
+    check_picture(out, board);
     const Image image = run.open();
-    if (out) check_picture_path(*out);
-    if (out && !board.panel) throw UsageError("--out: " + std::string(board.name) + " has no panel that is modelled");
     const RunReport report = run_image(image, board, run.options);
     std::cout << report.output;
-    if (out) write_picture(*out, report.panel->picture);
     if (profile) write_file(*profile, profile_json(report));
     std::cerr << "spanline: " << report.end << " after " << report.total.instructions << " instructions\n";
+    write_shown(out, report, image);
     if (report.exit_code != 0)
       throw InputError(image.path(), "the image ended with " + std::to_string(report.exit_code));
-    if (report.panel && !report.panel->complaints.empty())
-      throw InputError(image.path(), report.panel->complaints.front());
+  }
+
+  void add_stack(Budget& report, const Image& image, const BoardDescription& board) const {
+    const StackNotes known = notes ? read_stack_notes(image, *notes) : StackNotes{};
+    const StartState start = start_of(image, board);
+    report.stack = stack_bound(image, board.core, start.pc, known);
+    if (start.has_vectors) report.exception = exception_bound(image, board.core, start.vectors, known);
+  }
+
+  static void demand_bound(const StackBound& bound, const RunReport& run, const Image& image) {
+    if (!bound.problems.empty()) {
+      throw InputError(image.path(), "the stack is not bounded: " + bound.problems.front() +
+                                         "; state what is known with --stack-notes, or leave it out with --no-stack");
+    }
+    if (bound.bytes < run.stack_reached) {
+      throw InputError(image.path(), "the run's stack went " + std::to_string(run.stack_reached - bound.bytes) +
+                                         " bytes below its bound: a note of --stack-notes is wrong");
+    }
+  }
+
+  void hold_to_limits(const Image& image, const Budget& report) const {
+    const std::string file = image.path().substr(image.path().find_last_of('/') + 1);
+    const std::string demo = file.substr(0, file.rfind('.'));
+    if (accept) accept_limits(*accept, demo, report);
+    if (!limits) return;
+    const std::vector<std::string> exceeded = exceeded_limits(*limits, demo, report);
+    for (const std::string& line : exceeded) std::cout << "over budget: " << line << "\n";
+    if (!exceeded.empty()) throw InputError(*limits, exceeded.front());
   }
 
   void do_budget() {
     const BoardDescription& board = board_named(budget.board);
+    check_picture(shown, board);
     const Image image = budget.open();
     if (budget.options.from.empty() && budget.options.until.empty() && image.defines(kFrameBeginMark)) {
       budget.options.from = kFrameBeginMark;
@@ -85,18 +129,21 @@ struct McuVerbs::Verbs {
     }
     Budget report{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, budget.options), {}};
     report.frames = frame_report(report.run, board.kilohertz);
-    if (!no_stack) {
-      const StackNotes known = notes ? read_stack_notes(image, *notes) : StackNotes{};
-      const StartState start = start_of(image, board);
-      report.stack = stack_bound(image, board.core, start.pc, known);
-      if (start.has_vectors) report.exception = exception_bound(image, board.core, start.vectors, known);
-    }
+    if (!no_stack) add_stack(report, image, board);
     std::cout << budget_text(report);
     if (json) write_file(*json, budget_json(report));
     if (html) write_file(*html, budget_html(report));
-    if (report.stack && !report.stack->problems.empty()) {
-      throw InputError(image.path(), "the stack is not bounded: " + report.stack->problems.front() +
-                                         "; state what is known with --stack-notes, or leave it out with --no-stack");
+    write_shown(shown, report.run, image);
+    if (report.stack) demand_bound(*report.stack, report.run, image);
+    hold_to_limits(image, report);
+  }
+
+  void do_table() const {
+    const std::string table = budget_table(reports);
+    if (table_out) {
+      write_file(*table_out, table);
+    } else {
+      std::cout << table;
     }
   }
 };
@@ -111,6 +158,9 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
   v.budget.add_to(*v.budget_verb);
   v.budget_verb->add_option("--from", v.budget.options.from, "count from this symbol to --until only");
   v.budget_verb->add_option("--json", v.json, "write the whole report there");
+  v.budget_verb->add_option("--limits", v.limits, "fail where the image takes more than this file allows it");
+  v.budget_verb->add_option("--accept", v.accept, "set the image's limits in this file to what it takes, and a margin");
+  v.budget_verb->add_option("--out", v.shown, "what the panel shows at the end, .png or .ppm");
   v.budget_verb->add_option("--html", v.html, "write a page with plots there");
   v.budget_verb->add_option("--stack-notes", v.notes,
                             "lines 'CALLER calls CALLEE', 'CALLER may call CALLEE' and 'FUNCTION recurses N'");
@@ -119,15 +169,22 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
       "An image ends at a BKPT, an SVC, a semihosting exit, a jump to itself, WFI or --until; images with the marks of "
       "ours are counted frame by frame unless --from or --until says otherwise. Core cycles hold for zero wait states; "
       "memory stalls are an estimate.");
+  v.table_verb = app.add_subcommand("budget-table", "a table of the reports that `budget --json` wrote");
+  v.table_verb->add_option("reports", v.reports, "the reports")->required();
+  v.table_verb->add_option("--out", v.table_out, "write it there");
 }
 
 McuVerbs::~McuVerbs() = default;
 
-bool McuVerbs::chosen() const { return verbs_->run_verb->parsed() || verbs_->budget_verb->parsed(); }
+bool McuVerbs::chosen() const {
+  return verbs_->run_verb->parsed() || verbs_->budget_verb->parsed() || verbs_->table_verb->parsed();
+}
 
 void McuVerbs::run() const {
   if (verbs_->run_verb->parsed()) {
     verbs_->do_run();
+  } else if (verbs_->table_verb->parsed()) {
+    verbs_->do_table();
   } else {
     verbs_->do_budget();
   }

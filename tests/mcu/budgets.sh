@@ -1,0 +1,24 @@
+#!/bin/sh
+# A board's images keep to their budgets, and where chip and panel are modelled the panel shows the host's picture, pixel for
+# pixel. Where Chromium is installed, a report's page draws itself.
+# usage: budgets.sh SOURCE IMAGES SPANLINE BOARD REPORTS; exit 77: there are no images here.
+set -eu
+[ $# -eq 5 ] || { echo "usage: budgets.sh SOURCE IMAGES SPANLINE BOARD REPORTS" >&2; exit 2; }
+source=$1 images=$2/$4 spanline=$3 board=$4 reports=$5
+[ -f "$images/teapot.elf" ] || { echo "skipped: no images of $board"; exit 77; }
+
+sh "$source/firmware/boards/budget.sh" "$spanline" "$images" "$board" "$reports"
+for demo in $("$spanline" demo --list); do
+  shown=$reports/$board-$demo
+  [ -f "$shown.ppm" ] || continue
+  "$spanline" demo "$demo" --board "$board" --frame 3 --out "$shown.host.ppm"
+  cmp "$shown.ppm" "$shown.host.ppm"
+  echo "$demo frame 3: as on the host"
+done
+
+[ "$board" = stm32f429i-disc1 ] && command -v chromium > /dev/null || exit 0
+timeout 60 chromium --headless --no-sandbox --disable-gpu --dump-dom "$reports/$board-gears.html" 2> /dev/null > "$reports/dom.html"
+grep -q 'data-ready="yes"' "$reports/dom.html" || { echo "the page did not draw itself"; exit 1; }
+bars=$(grep -o '<rect' "$reports/dom.html" | wc -l)
+[ "$bars" -eq 320 ] || { echo "$bars lines drawn, wanted 320"; exit 1; }
+echo "the page draws itself"
