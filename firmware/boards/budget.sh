@@ -17,8 +17,9 @@ for demo in $("$spanline" demo --list); do
   report=$reports/$board-$demo
   # Emulator-only boards have no panel that is modelled.
   case $board in mps2-* | microbit) shown= ;; *) shown="--out $report.ppm" ;; esac
+  sh "$here/stack_notes.sh" "$images/$demo.elf" > "$report.notes"
   # shellcheck disable=SC2086  # an option and its value, or nothing
-  if "$spanline" budget "$images/$demo.elf" --board "$board" --frames $frames --stack-notes "$here/stack-notes.txt" $shown \
+  if "$spanline" budget "$images/$demo.elf" --board "$board" --frames $frames --stack-notes "$report.notes" $shown \
     --json "$report.json" --html "$report.html" "$hold" "$here/$board/budgets.json" > "$report.txt" 2> "$report.err"; then
     sed -n '/^run:/{n;s/^ */'"$demo"': /p;}' "$report.txt"
   else
@@ -26,6 +27,6 @@ for demo in $("$spanline" demo --list); do
     sed -n '/^over budget/p' "$report.txt"
     cat "$report.err" >&2
   fi
-  rm -f "$report.err"
+  rm -f "$report.err" "$report.notes"
 done
 exit "$status"

@@ -7,12 +7,7 @@ set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# What the code does not tell: the constructors that start-up calls, and the poses that a demo may have.
-arm-none-eabi-nm "$2" | awk '$3 ~ /^_GLOBAL__sub_I_/ { print "reset calls " $3 }' > "$work/notes"
-[ -s "$work/notes" ] || echo "reset calls nothing" > "$work/notes"
-show=$(arm-none-eabi-nm -C "$2" | sed -n 's/^[0-9a-f]* [Tt] \(spanline::demos::Stage::show(.*\)/\1/p')
-arm-none-eabi-nm -C "$2" | sed -n "s/^[0-9a-f]* [Tt] \(spanline::demos::pose_.*\)/$show calls \1/p" >> "$work/notes"
-
+sh "$(dirname "$0")/stack_notes.sh" "$2" > "$work/notes"
 "$1" budget "$2" --board "$3" --until main --stack-notes "$work/notes" --json "$work/report.json" > "$work/report.txt" ||
   { cat "$work/report.txt" >&2; exit 1; }
 { grep '"bound"' "$work/report.json"; grep 'an exception adds at most' "$work/report.txt" || :; } |

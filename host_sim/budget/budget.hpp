@@ -11,7 +11,7 @@
 
 namespace spanline::host {
 
-struct Budget {
+struct BudgetReport {
   const Image* image;
   const BoardDescription* board;
   MemoryReport memory;
@@ -21,13 +21,13 @@ struct Budget {
 };
 
 // For the terminal; long tables are cut off, the JSON has them whole.
-std::string budget_text(const Budget& budget);
+std::string budget_text(const BudgetReport& budget);
 
 // One object: board, core, end, instructions, cycles (null without a cycle model), passages, functions, stages, frames,
 // memory, pools, stack.
-std::string budget_json(const Budget& budget);
+std::string budget_json(const BudgetReport& budget);
 
 // One page that needs nothing else: lines against the wire, pools, stages, flame graph.
-std::string budget_html(const Budget& budget);
+std::string budget_html(const BudgetReport& budget);
 
 }  // namespace spanline::host

@@ -28,7 +28,7 @@ struct Margin {
 };
 constexpr Margin kMargins[] = {{"flash", 25}, {"ram", 25}, {"stack", 25}, {"cycles", 20}, {"instructions", 20}};
 
-std::map<std::string, Quantity> quantities(const Budget& budget) {
+std::map<std::string, Quantity> quantities(const BudgetReport& budget) {
   std::map<std::string, Quantity> all;
   all["flash"].amount = budget.memory.flash;
   all["ram"].amount = budget.memory.ram;
@@ -83,7 +83,8 @@ std::vector<std::string> grown_parts(const Quantity& now, const Json& before) {
 
 }  // namespace
 
-std::vector<std::string> exceeded_limits(const std::string& file, const std::string& image, const Budget& budget) {
+std::vector<std::string> exceeded_limits(const std::string& file, const std::string& image,
+                                         const BudgetReport& budget) {
   const Json limits = read_limits(file);
   if (!limits.contains(image)) throw InputError(file, "has no limits for '" + printable(image) + "'");
   std::vector<std::string> lines;
@@ -101,7 +102,7 @@ std::vector<std::string> exceeded_limits(const std::string& file, const std::str
   return lines;
 }
 
-void accept_limits(const std::string& file, const std::string& image, const Budget& budget) {
+void accept_limits(const std::string& file, const std::string& image, const BudgetReport& budget) {
   Json limits = std::filesystem::exists(file) ? read_limits(file) : Json::object();
   const std::map<std::string, Quantity> all = quantities(budget);
   Json& of_image = limits[image] = Json::object();

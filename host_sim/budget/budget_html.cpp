@@ -18,7 +18,7 @@ std::string replaced(std::string text, const std::string& key, const std::string
 
 }  // namespace
 
-std::string budget_html(const Budget& budget) {
+std::string budget_html(const BudgetReport& budget) {
   const std::string page = replaced(kPage, "@REPORT@", quoted(budget_json(budget)));
   return replaced(page, "@PROFILE@", quoted(profile_json(budget.run)));
 }

@@ -83,7 +83,7 @@ Json parts_json(const std::vector<MemoryReport::Part>& parts) {
   return list;
 }
 
-Json functions_json(const Budget& budget, bool timed) {
+Json functions_json(const BudgetReport& budget, bool timed) {
   Json list = Json::array();
   for (std::size_t i = 0; i < budget.run.functions.size(); ++i) {
     if (budget.run.functions[i].instructions == 0) continue;
@@ -94,7 +94,7 @@ Json functions_json(const Budget& budget, bool timed) {
   return list;
 }
 
-Json stack_json(const Budget& budget) {
+Json stack_json(const BudgetReport& budget) {
   Json stack = {{"reached", budget.run.stack_reached},
                 {"reached_in", budget.run.stack_deepest},
                 {"reached_path", budget.run.stack_path}};
@@ -116,7 +116,7 @@ Json stack_json(const Budget& budget) {
 
 }  // namespace
 
-std::string budget_json(const Budget& budget) {
+std::string budget_json(const BudgetReport& budget) {
   const bool timed = has_cycle_model(budget.board->core);
   const std::string& path = budget.image->path();
   Json json = {{"image", path.substr(path.find_last_of('/') + 1)},

@@ -29,7 +29,7 @@ std::string function_name(const Image& image, std::size_t index) {
   return index < image.functions().size() ? image.functions()[index].name : "(no symbol)";
 }
 
-void write_run(std::ostream& out, const Budget& budget) {
+void write_run(std::ostream& out, const BudgetReport& budget) {
   const RunReport& run = budget.run;
   const bool timed = has_cycle_model(budget.board->core);
   out << "run: " << run.end << "\n  " << run.total.instructions << " instructions";
@@ -94,7 +94,7 @@ void write_lines(std::ostream& out, const FrameReport& report) {
   }
 }
 
-void write_frames(std::ostream& out, const Budget& budget) {
+void write_frames(std::ostream& out, const BudgetReport& budget) {
   const FrameReport& report = *budget.frames;
   out << "frames: " << budget.run.frames.size() << " at " << report.kilohertz / 1000 << " MHz, worst frame "
       << report.worst_frame << "; cycles without waiting, memory stalls in them\n"
@@ -131,7 +131,7 @@ void write_pools(std::ostream& out, const RunReport& run) {
   }
 }
 
-void write_memory(std::ostream& out, const Budget& budget) {
+void write_memory(std::ostream& out, const BudgetReport& budget) {
   const MemoryReport& memory = budget.memory;
   out << "memory: flash " << memory.flash << " of " << memory.flash_of_board << " bytes, RAM " << memory.ram << " of "
       << memory.ram_of_board << "\n       flash       RAM  section\n";
@@ -146,7 +146,7 @@ void write_memory(std::ostream& out, const Budget& budget) {
   if (memory.symbols.size() > kRows) out << "  and " << memory.symbols.size() - kRows << " more\n";
 }
 
-void write_stack(std::ostream& out, const Budget& budget) {
+void write_stack(std::ostream& out, const BudgetReport& budget) {
   out << "stack: " << budget.run.stack_reached << " bytes reached, in " << plain_name(budget.run.stack_deepest) << "\n";
   if (!budget.stack) return;
   const StackBound& bound = *budget.stack;
@@ -167,7 +167,7 @@ void write_stack(std::ostream& out, const Budget& budget) {
 
 }  // namespace
 
-std::string budget_text(const Budget& budget) {
+std::string budget_text(const BudgetReport& budget) {
   std::ostringstream out;
   out << budget.image->path() << " on " << budget.board->name << " (" << name(budget.board->core) << ")\n";
   write_run(out, budget);

@@ -10,9 +10,11 @@
 #include "budget/budget_file.hpp"
 #include "budget/budget_table.hpp"
 #include "budget/profile_json.hpp"
+#include "budget/sweep.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"
 #include "sim/picture.hpp"
+#include "sim/scene_options.hpp"
 #include "sim/usage_error.hpp"
 
 namespace spanline::host {
@@ -28,8 +30,7 @@ struct RunArguments {
 
   void add_to(CLI::App& verb) {
     verb.add_option("image", image, "the ELF file that is flashed")->required();
-    verb.add_option("--board", board, "the board, or a bare core: cortex-m0, cortex-m0plus, cortex-m3, cortex-m4, ...")
-        ->required();
+    verb.add_option("--board", board, "the board, or a bare core: cortex-m0, cortex-m0plus, cortex-m3, cortex-m4, ...");
     verb.add_option("--until", options.until, "end before the first instruction at this symbol");
     verb.add_option("--frames", frames,
                     "end after so many frames: passages from --from to --until, or what our own images are asked for; "
@@ -62,7 +63,7 @@ struct McuVerbs::Verbs {
   CLI::App* table_verb;
   std::optional<std::string> out, shown, json, html, profile, notes, limits, accept, table_out;
   std::vector<std::string> reports;
-  bool no_stack = false;
+  bool no_stack = false, sweeps = false;
 
   static void check_picture(const std::optional<std::string>& path, const BoardDescription& board) {
     if (!path) return;
@@ -79,6 +80,7 @@ struct McuVerbs::Verbs {
   }
 
   void do_run() {
+    if (run.board.empty()) throw UsageError("--board is required");
     const BoardDescription& board = board_named(run.board);
     check_picture(out, board);
     const Image image = run.open();
@@ -91,7 +93,7 @@ struct McuVerbs::Verbs {
       throw InputError(image.path(), "the image ended with " + std::to_string(report.exit_code));
   }
 
-  void add_stack(Budget& report, const Image& image, const BoardDescription& board) const {
+  void add_stack(BudgetReport& report, const Image& image, const BoardDescription& board) const {
     const StackNotes known = notes ? read_stack_notes(image, *notes) : StackNotes{};
     const StartState start = start_of(image, board);
     report.stack = stack_bound(image, board.core, start.pc, known);
@@ -109,7 +111,7 @@ struct McuVerbs::Verbs {
     }
   }
 
-  void hold_to_limits(const Image& image, const Budget& report) const {
+  void hold_to_limits(const Image& image, const BudgetReport& report) const {
     const std::string file = image.path().substr(image.path().find_last_of('/') + 1);
     const std::string demo = file.substr(0, file.rfind('.'));
     if (accept) accept_limits(*accept, demo, report);
@@ -119,7 +121,14 @@ struct McuVerbs::Verbs {
     if (!exceeded.empty()) throw InputError(*limits, exceeded.front());
   }
 
+  void do_sweep() const {
+    const Sweep swept = sweep(SceneOptions::load_plain(budget.image));
+    std::cout << sweep_text(swept);
+    if (json) write_file(*json, sweep_json(swept));
+  }
+
   void do_budget() {
+    if (budget.board.empty()) throw UsageError("--board is required");
     const BoardDescription& board = board_named(budget.board);
     check_picture(shown, board);
     const Image image = budget.open();
@@ -127,7 +136,8 @@ struct McuVerbs::Verbs {
       budget.options.from = kFrameBeginMark;
       budget.options.until = kFrameEndMark;
     }
-    Budget report{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, budget.options), {}};
+    BudgetReport report{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, budget.options),
+                        {}};
     report.frames = frame_report(report.run, board.kilohertz);
     if (!no_stack) add_stack(report, image, board);
     std::cout << budget_text(report);
@@ -162,8 +172,9 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
   v.budget_verb->add_option("--accept", v.accept, "set the image's limits in this file to what it takes, and a margin");
   v.budget_verb->add_option("--out", v.shown, "what the panel shows at the end, .png or .ppm");
   v.budget_verb->add_option("--html", v.html, "write a page with plots there");
-  v.budget_verb->add_option("--stack-notes", v.notes,
-                            "lines 'CALLER calls CALLEE', 'CALLER may call CALLEE' and 'FUNCTION recurses N'");
+  v.budget_verb->add_option("--stack-notes", v.notes, "lines 'CALLER calls CALLEE' and 'FUNCTION recurses N'");
+  v.budget_verb->add_flag("--sweep", v.sweeps,
+                          "of a scene instead of an image: displays, pools and clock rates that it fits, and a budget");
   v.budget_verb->add_flag("--no-stack", v.no_stack, "do not bound the stack from the code");
   v.budget_verb->footer(
       "An image ends at a BKPT, an SVC, a semihosting exit, a jump to itself, WFI or --until; images with the marks of "
@@ -185,6 +196,8 @@ void McuVerbs::run() const {
     verbs_->do_run();
   } else if (verbs_->table_verb->parsed()) {
     verbs_->do_table();
+  } else if (verbs_->sweeps) {
+    verbs_->do_sweep();
   } else {
     verbs_->do_budget();
   }

@@ -156,13 +156,7 @@ StackNotes read_stack_notes(const Image& image, const std::string& path) {
     line = trimmed(line.substr(0, line.find('#')));
     if (line.empty()) continue;
     const std::size_t calls = line.find(" calls "), recurses = line.find(" recurses ");
-    const std::size_t may_call = line.find(" may call ");
-    if (may_call != std::string::npos) {
-      const std::string caller = trimmed(line.substr(0, may_call)), callee = trimmed(line.substr(may_call + 10));
-      if (image.defines(caller) && image.defines(callee)) {
-        notes.callees[image.address_of(caller)].push_back(image.address_of(callee));
-      }
-    } else if (calls != std::string::npos) {
+    if (calls != std::string::npos) {
       std::vector<std::uint32_t>& callees = notes.callees[image.address_of(trimmed(line.substr(0, calls)))];
       const std::string callee = trimmed(line.substr(calls + 7));
       if (callee != "nothing") callees.push_back(image.address_of(callee));
@@ -173,8 +167,7 @@ StackNotes read_stack_notes(const Image& image, const std::string& path) {
       }
       notes.turns[image.address_of(trimmed(line.substr(0, recurses)))] = static_cast<std::uint32_t>(turns);
     } else {
-      throw InputError(path, line_number,
-                       "wanted 'CALLER calls CALLEE', 'CALLER may call CALLEE' or 'FUNCTION recurses N'");
+      throw InputError(path, line_number, "wanted 'CALLER calls CALLEE' or 'FUNCTION recurses N'");
     }
   }
   return notes;

@@ -17,8 +17,7 @@ struct StackNotes {
   std::map<std::uint32_t, std::uint32_t> turns;                 // of recursive functions: so many frames at most
 };
 
-// Lines "CALLER calls CALLEE", "CALLER calls nothing", "CALLER may call CALLEE" (where the image has both), "FUNCTION
-// recurses N"; '#' begins a comment. Throws InputError.
+// Lines "CALLER calls CALLEE", "CALLER calls nothing", "FUNCTION recurses N"; '#' begins a comment. Throws InputError.
 StackNotes read_stack_notes(const Image& image, const std::string& path);
 
 struct StackBound {

@@ -71,6 +71,12 @@ SceneDescription SceneOptions::read(bool on_screen) const {
   return scene;
 }
 
+SceneDescription SceneOptions::load_plain(const std::string& path) {
+  SceneOptions plain;
+  plain.scene_ = path;
+  return plain.load(false);
+}
+
 SceneDescription SceneOptions::load(bool on_screen) const {
   if (on_screen && (camera_given() || light_given())) {
     throw UsageError("--screen: there is no camera and no light to set");

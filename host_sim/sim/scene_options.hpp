@@ -17,6 +17,9 @@ class SceneOptions {
   // Reads the scene and lays the options over it. Throws UsageError and InputError.
   SceneDescription load(bool on_screen) const;
 
+  // The scene in a file as it is. Throws UsageError and InputError.
+  static SceneDescription load_plain(const std::string& path);
+
   bool camera_given() const { return eye_ || target_ || up_ || fov_ || near_ || far_; }
   bool size_given() const { return size_.has_value(); }
   bool light_given() const { return light_.has_value(); }

@@ -22,7 +22,7 @@ TinyElf two_functions() {
 TEST(Budget, ReportsMemoryRunAndStack) {
   const Image image(write_tiny_elf(two_functions(), "budget.elf"));
   const BoardDescription& board = board_named("ek-lm3s6965");
-  Budget budget{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, {}), {}};
+  BudgetReport budget{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, {}), {}};
   budget.stack = stack_bound(image, board.core, start_of(image, board).pc, {});
   const nlohmann::json json = nlohmann::json::parse(budget_json(budget));
   EXPECT_EQ(json["instructions"], 5);
@@ -41,7 +41,7 @@ TEST(Budget, ReportsMemoryRunAndStack) {
 TEST(Budget, GivesNoCyclesWhereThereIsNoTable) {
   const Image image(write_tiny_elf(two_functions(), "budget.elf"));
   const BoardDescription& board = board_named("cortex-m7");
-  const Budget budget{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, {}), {}};
+  const BudgetReport budget{&image, &board, memory_report(image, board), {}, {}, run_image(image, board, {}), {}};
   EXPECT_TRUE(nlohmann::json::parse(budget_json(budget))["cycles"].is_null());
   EXPECT_NE(budget_text(budget).find("no cycle table for a Cortex-M7"), std::string::npos);
 }
