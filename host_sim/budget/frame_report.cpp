@@ -62,7 +62,7 @@ Spread spread_of(std::vector<std::uint64_t> values) {
 }
 
 std::optional<FrameReport> frame_report(const RunReport& run, std::uint32_t kilohertz) {
-  if (run.frames.empty() || run.frames.back().end == 0) return std::nullopt;
+  if (run.frames.empty() || run.frames.back().count.instructions == 0) return std::nullopt;
   FrameReport report;
   report.kilohertz = kilohertz;
   std::vector<std::uint64_t> cycles, instructions, prepare, line_cycles, line_instructions;
