@@ -7,6 +7,7 @@
 
 #include "host/support.hpp"
 #include "mcu/tiny_elf.hpp"
+#include "sim/output_file.hpp"
 
 namespace spanline::host {
 namespace {
@@ -79,6 +80,38 @@ TEST(BudgetCommand, SaysWhatIsWrong) {
   refuse({"run", folder.file("none.elf"), "--board", "cortex-m3"}, 1, "none.elf");
   refuse({"budget", through_pointer, "--board", "cortex-m3"}, 1, "the stack is not bounded: a call through a pointer");
   EXPECT_EQ(run_tool({"budget", through_pointer, "--board", "cortex-m3", "--no-stack"}).exit_code, 0);
+}
+
+TEST(BudgetCommand, HoldsAnImageToItsLimits) {
+  const std::string image = write_tiny_elf(two_functions(), "budget.elf");
+  const TemporaryFolder folder;
+  const std::string limits = folder.file("limits.json");
+  const auto hold = [&](const std::string& how) {
+    return run_tool({"budget", image, "--board", "cortex-m3", how, limits});
+  };
+  EXPECT_EQ(hold("--limits").exit_code, 1);  // there is no such file
+  EXPECT_EQ(hold("--accept").exit_code, 0);
+  EXPECT_EQ(hold("--limits").exit_code, 0);
+  write_file(limits, R"({"budget": {"flash": {"limit": 10, "parts": {"libraries": 4}}, "ram": {"limit": 0},
+                                    "stack": {"limit": 24}}})");
+  const ToolRun over = hold("--limits");
+  EXPECT_EQ(over.exit_code, 1);
+  EXPECT_NE(over.out.find("over budget: budget on cortex-m3: flash 76 is over 10 by 66\n"), std::string::npos)
+      << over.out;
+  EXPECT_NE(over.out.find("over budget:   libraries: 14, was 4\n"), std::string::npos) << over.out;
+  EXPECT_EQ(over.out.find("stack 24 is over"), std::string::npos);
+  for (const char* broken : {"[]", "{", "{}", R"({"budget": {}})", R"({"budget": {"flash": {"limit": -1}}})"}) {
+    write_file(limits, broken);
+    EXPECT_EQ(hold("--limits").exit_code, 1) << broken;
+  }
+}
+
+TEST(BudgetCommand, RefusesATableOfSomethingElse) {
+  const TemporaryFolder folder;
+  write_file(folder.file("a.json"), "{}");
+  const ToolRun run = run_tool({"budget-table", folder.file("a.json")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("is no report of"), std::string::npos) << run.err;
 }
 
 }  // namespace
