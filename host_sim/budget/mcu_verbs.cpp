@@ -172,7 +172,8 @@ McuVerbs::McuVerbs(CLI::App& app) : verbs_(std::make_unique<Verbs>()) {
   v.budget_verb->add_option("--accept", v.accept, "set the image's limits in this file to what it takes, and a margin");
   v.budget_verb->add_option("--out", v.shown, "what the panel shows at the end, .png or .ppm");
   v.budget_verb->add_option("--html", v.html, "write a page with plots there");
-  v.budget_verb->add_option("--stack-notes", v.notes, "lines 'CALLER calls CALLEE' and 'FUNCTION recurses N'");
+  v.budget_verb->add_option("--stack-notes", v.notes,
+                            "lines 'CALLER calls CALLEE', 'others call CALLEE' and 'FUNCTION recurses N'");
   v.budget_verb->add_flag("--sweep", v.sweeps,
                           "of a scene instead of an image: displays, pools and clock rates that it fits, and a budget");
   v.budget_verb->add_flag("--no-stack", v.no_stack, "do not bound the stack from the code");

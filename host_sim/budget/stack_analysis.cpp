@@ -43,11 +43,16 @@ class Bounds {
     for (const StackFrame::Call& call : frame.calls) {
       if (call.callee != 0) {
         resolved.push_back(call);
-      } else if (note == notes_.callees.end()) {
-        problems_.push_back("a call through a pointer at " + hex(call.at) + " in " + image_.name_at(call.at));
-      } else {
-        for (const std::uint32_t callee : note->second) resolved.push_back({call.at, callee, call.depth});
+        continue;
       }
+      const std::vector<std::uint32_t>* const callees = note != notes_.callees.end() ? &note->second
+                                                        : notes_.other_callees       ? &*notes_.other_callees
+                                                                                     : nullptr;
+      if (callees == nullptr) {
+        problems_.push_back("a call through a pointer at " + hex(call.at) + " in " + image_.name_at(call.at));
+        continue;
+      }
+      for (const std::uint32_t callee : *callees) resolved.push_back({call.at, callee, call.depth});
     }
     frame.calls = resolved;
   }
@@ -156,7 +161,12 @@ StackNotes read_stack_notes(const Image& image, const std::string& path) {
     line = trimmed(line.substr(0, line.find('#')));
     if (line.empty()) continue;
     const std::size_t calls = line.find(" calls "), recurses = line.find(" recurses ");
-    if (calls != std::string::npos) {
+    constexpr std::string_view kOthers = "others call ";
+    if (line.starts_with(kOthers)) {
+      if (!notes.other_callees) notes.other_callees.emplace();
+      const std::string callee = trimmed(line.substr(kOthers.size()));
+      if (callee != "nothing") notes.other_callees->push_back(image.address_of(callee));
+    } else if (calls != std::string::npos) {
       std::vector<std::uint32_t>& callees = notes.callees[image.address_of(trimmed(line.substr(0, calls)))];
       const std::string callee = trimmed(line.substr(calls + 7));
       if (callee != "nothing") callees.push_back(image.address_of(callee));
@@ -167,7 +177,8 @@ StackNotes read_stack_notes(const Image& image, const std::string& path) {
       }
       notes.turns[image.address_of(trimmed(line.substr(0, recurses)))] = static_cast<std::uint32_t>(turns);
     } else {
-      throw InputError(path, line_number, "wanted 'CALLER calls CALLEE' or 'FUNCTION recurses N'");
+      throw InputError(path, line_number,
+                       "wanted 'CALLER calls CALLEE', 'others call CALLEE' or 'FUNCTION recurses N'");
     }
   }
   return notes;

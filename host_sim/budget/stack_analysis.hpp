@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ namespace spanline::host {
 // What the machine code does not tell, stated by the user.
 struct StackNotes {
   std::map<std::uint32_t, std::vector<std::uint32_t>> callees;  // of functions that call through pointers
+  std::optional<std::vector<std::uint32_t>> other_callees;      // of those that `callees` does not name
   std::map<std::uint32_t, std::uint32_t> turns;                 // of recursive functions: so many frames at most
 };
 
-// Lines "CALLER calls CALLEE", "CALLER calls nothing", "FUNCTION recurses N"; '#' begins a comment. Throws InputError.
+// Lines "CALLER calls CALLEE", "CALLER calls nothing", "others call CALLEE", "others call nothing",
+// "FUNCTION recurses N"; '#' begins a comment. Throws InputError.
 StackNotes read_stack_notes(const Image& image, const std::string& path);
 
 struct StackBound {

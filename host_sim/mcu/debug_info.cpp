@@ -35,6 +35,16 @@ bool type_of(Dwarf_Die& die, Dwarf_Die& type) {
   return dwarf_formref_die(dwarf_attr_integrate(&die, DW_AT_type, &attribute), &type) != nullptr;
 }
 
+// The type behind aliases and qualifiers.
+bool named_type_of(Dwarf_Die& die, Dwarf_Die& type) {
+  bool found = type_of(die, type);
+  while (found && (dwarf_tag(&type) == DW_TAG_typedef || dwarf_tag(&type) == DW_TAG_const_type)) {
+    Dwarf_Die alias = type;
+    found = type_of(alias, type);
+  }
+  return found;
+}
+
 // Calls `visit` with every child.
 void each_child(Dwarf_Die& die, const std::function<void(Dwarf_Die&)>& visit) {
   Dwarf_Die child;
@@ -130,13 +140,13 @@ struct DebugInfo::Reader {
   static Member member_of(Dwarf_Die& die) {
     Member member{name_of(die), "", number_of(die, DW_AT_data_member_location, 0), 0};
     Dwarf_Die type;
-    if (!type_of(die, type)) return member;
+    if (!named_type_of(die, type)) return member;
     if (dwarf_tag(&type) == DW_TAG_array_type) {
       each_child(type, [&member](Dwarf_Die& bound) {
         if (dwarf_tag(&bound) == DW_TAG_subrange_type) member.elements *= number_of(bound, DW_AT_upper_bound, 0) + 1;
       });
       Dwarf_Die element;
-      if (type_of(type, element)) type = element;
+      if (named_type_of(type, element)) type = element;
     }
     member.type = name_of(type);
     member.bytes = number_of(type, DW_AT_byte_size, 0) * member.elements;

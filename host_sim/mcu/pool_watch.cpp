@@ -22,13 +22,21 @@ PoolWatch::PoolWatch(const Image& image, const DebugInfo& debug) {
   if (object == image.objects().end()) return;
   base_ = object->address;
   bytes_ = memory->bytes;
-  for (const DebugInfo::Member& member : memory->members) {
+  add_pools(*memory, base_, debug);
+}
+
+// A structure's pools, and those of the structures in it.
+void PoolWatch::add_pools(const DebugInfo::Structure& structure, std::uint32_t base, const DebugInfo& debug) {
+  for (const DebugInfo::Member& member : structure.members) {
     const std::uint32_t capacity = member.type.rfind("Pool<", 0) == 0 ? capacity_of(member.type) : 0;
-    if (capacity == 0) continue;
-    const std::uint32_t bytes = member.bytes / member.elements;
-    for (std::uint32_t i = 0; i < member.elements; ++i) {
-      ranges_.push_back({base_ + member.offset + i * bytes, bytes, pools_.size()});
+    const std::uint32_t bytes = member.bytes / member.elements, at = base + member.offset;
+    if (capacity == 0) {
+      const std::optional<DebugInfo::Structure> inner =
+          member.type.find("Pool") == std::string::npos ? std::nullopt : debug.structure(member.type);
+      if (inner) add_pools(*inner, at, debug);
+      continue;
     }
+    for (std::uint32_t i = 0; i < member.elements; ++i) ranges_.push_back({at + i * bytes, bytes, pools_.size()});
     pools_.push_back({member.name.substr(0, member.name.find_last_not_of('_') + 1), bytes / (capacity + 1), capacity});
   }
 }

@@ -35,6 +35,7 @@ class PoolWatch {
     std::uint32_t base, bytes;
     std::size_t pool;
   };
+  void add_pools(const DebugInfo::Structure& structure, std::uint32_t base, const DebugInfo& debug);
   void note(std::uint32_t address);
 
   std::uint32_t base_ = 0, bytes_ = 0;
