@@ -4,6 +4,7 @@
 
 #include "core/frame/frame.hpp"
 #include "demos/all.hpp"
+#include "golden/crc32.hpp"
 
 namespace spanline::golden {
 
@@ -44,21 +45,6 @@ inline constexpr Budget kBudget{.width = 320,
                                 .segments = 80,
                                 .active = 24};
 inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
-
-// CRC-32 as in IEEE 802.3 and PNG.
-class Crc32 {
- public:
-  void add(Slice<const std::uint8_t> bytes) {
-    for (const std::uint8_t byte : bytes) {
-      register_ ^= byte;
-      for (int bit = 0; bit < 8; ++bit) register_ = register_ >> 1 ^ ((register_ & 1u) != 0 ? 0xedb88320u : 0u);
-    }
-  }
-  std::uint32_t value() const { return ~register_; }
-
- private:
-  std::uint32_t register_ = 0xffffffffu;
-};
 
 // Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of
 // all lines. Fails with the status of the stage or of the frame.
