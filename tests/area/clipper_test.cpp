@@ -144,7 +144,7 @@ TEST(Clipper, OutOfRangeIsRefusedByName) {
 }
 
 TEST(Clipper, AnyPoolTooSmallIsNamedAndNothingComesOut) {
-  PoolStorage<200, 400, 800, 200> storage;
+  PoolStorage<60, 120, 240, 40> storage;
   const AreaRegion subject = {box(0, 0, 40, 40), box(4, 4, 36, 36), box(10, 10, 30, 30)};
   const AreaRegion clip = {{{20, -5}, {47, 21}, {19, 43}, {-3, 22}}, box(15, 15, 25, 25)};
   const auto attempt = [&](std::uint32_t segments, std::uint32_t nodes, std::uint32_t edges, std::uint32_t contours) {
@@ -160,43 +160,49 @@ TEST(Clipper, AnyPoolTooSmallIsNamedAndNothingComesOut) {
     clipper.clip();
     return read(clipper);
   };
-  const ClipCounts enough = attempt(200, 400, 800, 200).counts;
-  ASSERT_TRUE(attempt(enough.segments, 400, 800, enough.contours).status.ok());
+  const ClipCounts enough = attempt(60, 120, 240, 40).counts;
+  ASSERT_TRUE(attempt(enough.segments, 120, 240, enough.contours).status.ok());
   const auto refused = [](const Solved& solved, const char* pool) {
     EXPECT_EQ(solved.status.code, Code::pool_exhausted);
     EXPECT_STREQ(solved.status.where, pool);
     EXPECT_TRUE(solved.inside.empty() && solved.outside.empty());
     EXPECT_EQ(solved.status.index, std::string(solved.status.field) == "subject" ? 7u : 8u);
   };
-  for (std::uint32_t i = 0; i < enough.segments; ++i) refused(attempt(i, 400, 800, 200), "segments");
-  for (std::uint32_t i = 0; i < enough.nodes; ++i) refused(attempt(200, i, 800, 200), "nodes");
-  for (std::uint32_t i = 0; i < enough.edges; ++i) refused(attempt(200, 400, i, 200), "edges");
-  for (std::uint32_t i = 0; i < enough.contours; ++i) refused(attempt(200, 400, 800, i), "contours");
+  for (std::uint32_t i = 0; i < enough.segments; ++i) refused(attempt(i, 120, 240, 40), "segments");
+  for (std::uint32_t i = 0; i < enough.nodes; ++i) refused(attempt(60, i, 240, 40), "nodes");
+  for (std::uint32_t i = 0; i < enough.edges; ++i) refused(attempt(60, 120, i, 40), "edges");
+  for (std::uint32_t i = 0; i < enough.contours; ++i) refused(attempt(60, 120, 240, i), "contours");
 }
 
 // A closed polygon of 64 corners with alternating radii.
-AreaRing round64(std::int64_t x, std::int64_t y, std::int64_t outer, std::int64_t inner, int turned) {
-  AreaRing ring;
-  for (int i = 0; i < 64; ++i) {
-    const oracle::Point p = oracle::circle_point((16 * i + turned) % 1024);
-    const std::int64_t radius = i % 2 == 0 ? outer : inner;
-    ring.push_back({x + p.x * radius / 16384, y + p.y * radius / 16384});
+struct Round64 {
+  std::int64_t x, y, outer, inner;
+  int turned;
+
+  AreaRing ring() const {
+    AreaRing ring;
+    for (int i = 0; i < 64; ++i) {
+      const oracle::Point p = oracle::circle_point((16 * i + turned) % 1024);
+      const std::int64_t radius = i % 2 == 0 ? outer : inner;
+      ring.push_back({x + p.x * radius / 16384, y + p.y * radius / 16384});
+    }
+    return ring;
   }
-  return ring;
-}
+};
 
 TEST(Clipper, TwoPolygonsOf64CornersWorkIn8KB) {
   using Small = PoolStorage<128, 264, 392, 80>;
   static_assert(sizeof(Small) <= 8192);
   Small storage;
-  const std::pair<AreaRing, AreaRing> pairs[] = {
-      {round64(0, 0, 8000, 8000, 0), round64(0, 0, 8000, 8000, 8)},        // crosses 128 times
-      {round64(0, 0, 8000, 5000, 0), round64(0, 0, 8000, 5000, 16)},       // stars, a spike in every gap
-      {round64(0, 0, 8000, 5000, 0), round64(4000, 1000, 8000, 5000, 5)},  // stars beside one another
-      {round64(0, 0, 8000, 3000, 0), round64(0, 0, 5500, 5500, 0)},        // a gear and a disc
-      {round64(0, 0, 8000, 8000, 0), round64(0, 0, 8000, 8000, 0)},        // identical
+  constexpr std::pair<Round64, Round64> kPairs[] = {
+      {Round64{0, 0, 8000, 8000, 0}, Round64{0, 0, 8000, 8000, 8}},        // crosses 128 times
+      {Round64{0, 0, 8000, 5000, 0}, Round64{0, 0, 8000, 5000, 16}},       // stars, a spike in every gap
+      {Round64{0, 0, 8000, 5000, 0}, Round64{4000, 1000, 8000, 5000, 5}},  // stars beside one another
+      {Round64{0, 0, 8000, 3000, 0}, Round64{0, 0, 5500, 5500, 0}},        // a gear and a disc
+      {Round64{0, 0, 8000, 8000, 0}, Round64{0, 0, 8000, 8000, 0}},        // identical
   };
-  for (const auto& [subject, clip] : pairs) {
+  for (const auto& [first, second] : kPairs) {
+    const AreaRing subject = first.ring(), clip = second.ring();
     Clipper clipper(storage.refs());
     clipper.clear();
     put(clipper, Role::subject, {subject});

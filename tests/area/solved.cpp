@@ -1,14 +1,17 @@
 #include "area/solved.hpp"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <set>
 
 namespace spanline::area::test {
 namespace {
 
+#ifdef SPANLINE_ROUNDS_SHARE  // an emulated microcontroller: what two polygons of 64 corners need
+using Pile = PoolStorage<128, 264, 392, 80>;
+#else
 using Pile = PoolStorage<4000, 12000, 20000, 4000>;
+#endif
 
 struct Reading {
   Polygons& polygons;
@@ -39,10 +42,21 @@ std::int64_t twice_area(const AreaRing& ring) {
   return sum;
 }
 
+void add_edges(const AreaRing& ring, std::vector<Edge>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+}
+
 std::vector<Edge> edges_of(const Polygons& polygons) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons) {
+    count += polygon.main.size();
+    for (const AreaRing& hole : polygon.holes) count += hole.size();
+  }
   std::vector<Edge> edges;
-  for (const AreaRing& ring : rings_of(polygons)) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+  edges.reserve(count);
+  for (const Polygon& polygon : polygons) {
+    add_edges(polygon.main, edges);
+    for (const AreaRing& hole : polygon.holes) add_edges(hole, edges);
   }
   return edges;
 }
@@ -107,17 +121,19 @@ std::string flaw_of_contours(const Polygons& polygons) {
 
 // A piece of border may belong to one contour of each list, and then runs both ways.
 std::string flaw_of_sharing(const Polygons& inside, const Polygons& outside) {
-  std::map<Edge, int> seen;
-  for (const Polygons* list : {&inside, &outside}) {
-    for (const Edge& e : edges_of(*list)) {
-      const int bit = list == &inside ? 1 : 2;
-      if (seen.contains(e) || (seen.contains({e.second, e.first}) && seen[{e.second, e.first}] == bit)) {
+  std::vector<Edge> all = edges_of(inside), here = edges_of(outside);
+  for (std::vector<Edge>* edges : {&all, &here}) {
+    std::sort(edges->begin(), edges->end());
+    for (const Edge& e : *edges) {
+      if (std::binary_search(edges->begin(), edges->end(), Edge{e.second, e.first})) {
         return "an edge belongs to two contours: " + shown(e);
       }
-      seen[e] = bit;
     }
   }
-  return "";
+  all.insert(all.end(), here.begin(), here.end());
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end());
+  return twice == all.end() ? "" : "an edge belongs to two contours: " + shown(*twice);
 }
 
 std::string flaw_of_links(const Clipper& clipper, std::uint16_t contour) {
@@ -217,7 +233,8 @@ std::string flaw(const Polygons& inside, const Polygons& outside) {
   }
   if (const std::string text = flaw_of_sharing(inside, outside); !text.empty()) return text;
   std::vector<Edge> edges = edges_of(inside);
-  for (const Edge& e : edges_of(outside)) edges.push_back(e);
+  const std::vector<Edge> others = edges_of(outside);
+  edges.insert(edges.end(), others.begin(), others.end());
   return flaw_of_edges(std::move(edges));
 }
 

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "assetc/bpt.hpp"
 #include "core/geom/camera.hpp"
 #include "oracle/random.hpp"
 
 namespace spanline::test {
 namespace {
 
-constexpr double kReach = 30'000;  // mesh units
 constexpr double kRadius = 800;    // world units
 constexpr double kFocal = 1.2071;  // screen heights: 45 degrees
 
@@ -28,28 +26,6 @@ Direction random_direction(oracle::Random& random) {
 }
 
 }  // namespace
-
-std::vector<PatchPoints> teapot_patches() {
-  const auto patches = host::read_bpt(std::string(SPANLINE_ASSETS) + "/teapot.bpt");
-  double farthest = 0;
-  for (const auto& patch : patches) {
-    for (const auto& row : patch.points) {
-      for (const host::Vec3 p : row) farthest = std::max(farthest, host::largest(p));
-    }
-  }
-  const auto grid = [&](double v) { return static_cast<std::int16_t>(std::lround(v * kReach / farthest)); };
-  std::vector<PatchPoints> out;
-  for (const auto& patch : patches) {
-    PatchPoints& points = out.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        const host::Vec3 p = patch.points[i][j];
-        points[i][j] = {grid(p.x), grid(p.y), grid(p.z)};
-      }
-    }
-  }
-  return out;
-}
 
 std::vector<PatchPoints> random_patches(std::uint64_t seed, int size) {
   oracle::Random random(seed);
@@ -96,7 +72,7 @@ PatchView random_view(std::uint64_t seed, double distance, std::uint32_t toleran
   const Status status = look_at(eye, target, upwards, focal, fx(8), fx(20'000), camera);
   if (!status.ok()) return random_view(seed + 1'000'003, distance, tolerance, screen);  // up along the view
   MeshRecord mesh{};
-  mesh.unit = static_cast<std::int32_t>(std::lround(kRadius / kReach * 2147483648.0));
+  mesh.unit = static_cast<std::int32_t>(std::lround(kRadius / kPatchReach * 2147483648.0));
   const Projection projection(camera, screen);
   return {projection, compose(camera, Transform::identity(), mesh), DiceView(projection, screen, tolerance)};
 }

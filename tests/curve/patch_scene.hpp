@@ -12,7 +12,9 @@ namespace spanline::test {
 
 using PatchPoints = std::array<std::array<Position, 4>, 4>;  // rows of control points, mesh units
 
-// The teapot's 32 patches, 30,000 mesh units to its farthest control point.
+inline constexpr double kPatchReach = 30'000;  // mesh units
+
+// The teapot's 32 patches, kPatchReach to its farthest control point.
 std::vector<PatchPoints> teapot_patches();
 
 // size x size patches over one net of random control points: neighbours share their sides' control points, half of the

@@ -24,7 +24,7 @@ ClipPoint any_clip_point(Random& random) {
 
 TEST(SideWalk, IsTheSameFromBothEndsAndNearlyExact) {
   Random random(1);
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < oracle::rounds(5'000); ++i) {
     const ClipPoint p[4] = {any_clip_point(random), any_clip_point(random), any_clip_point(random),
                             any_clip_point(random)};
     const ClipPoint back[4] = {p[3], p[2], p[1], p[0]};
@@ -50,7 +50,7 @@ TEST(SideWalk, IsTheSameFromBothEndsAndNearlyExact) {
 TEST(SideWalk, NumbersOfStepsDoNotDependOnTheDirection) {
   Random random(2);
   const PatchView view = random_view(1, 1, 8);
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < oracle::rounds(5'000); ++i) {
     const ClipPoint p[4] = {any_clip_point(random), any_clip_point(random), any_clip_point(random),
                             any_clip_point(random)};
     const ClipPoint back[4] = {p[3], p[2], p[1], p[0]};
