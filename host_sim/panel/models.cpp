@@ -11,18 +11,35 @@ namespace {
 
 constexpr std::uint32_t kDcsAfterResetUs = 5'000;
 
-// The data sheet says 10 MHz; 40 MHz is what the trade relies on.
-DcsGlass ili9341() {
-  return {.wire = {.name = "ili9341",
-                   .max_clock_hz = 40'000'000,
-                   .max_read_hz = 6'666'666,
+constexpr std::uint32_t kDcsReadHz = 6'666'666;
+
+// Glass as large as the controller's memory, its columns mirrored, blue first, and a controller that can be asked.
+DcsGlass whole_glass(const std::string& name, std::uint32_t max_clock_hz, std::uint16_t width, std::uint16_t height) {
+  return {.wire = {.name = name,
+                   .max_clock_hz = max_clock_hz,
+                   .max_read_hz = kDcsReadHz,
                    .after_reset_us = kDcsAfterResetUs},
-          .ram_width = 240,
-          .ram_height = 320,
-          .width = 240,
-          .height = 320,
+          .ram_width = width,
+          .ram_height = height,
+          .width = width,
+          .height = height,
           .mirrored = true,
           .bgr = true};
+}
+
+// The data sheet says 10 MHz; 40 MHz is what the trade relies on.
+DcsGlass ili9341() { return whole_glass("ili9341", 40'000'000, 240, 320); }
+
+DcsGlass ili9488() {
+  DcsGlass glass = whole_glass("ili9488", 40'000'000, 320, 480);
+  glass.only_18_bit = true;
+  return glass;
+}
+
+DcsGlass st7796() {
+  DcsGlass glass = whole_glass("st7796", 66'666'666, 320, 480);
+  glass.lock = Lock::st7796;
+  return glass;
 }
 
 DcsGlass st7789(const std::string& name, std::uint16_t width, std::uint16_t height, std::uint16_t left,
@@ -48,34 +65,6 @@ DcsGlass gc9a01() {
           .inverted = true,
           .own_from = 0x60,
           .lock = Lock::gc9a01};
-}
-
-DcsGlass ili9488() {
-  return {.wire = {.name = "ili9488",
-                   .max_clock_hz = 40'000'000,
-                   .max_read_hz = 6'666'666,
-                   .after_reset_us = kDcsAfterResetUs},
-          .ram_width = 320,
-          .ram_height = 480,
-          .width = 320,
-          .height = 480,
-          .mirrored = true,
-          .bgr = true,
-          .only_18_bit = true};
-}
-
-DcsGlass st7796() {
-  return {.wire = {.name = "st7796",
-                   .max_clock_hz = 66'666'666,
-                   .max_read_hz = 6'666'666,
-                   .after_reset_us = kDcsAfterResetUs},
-          .ram_width = 320,
-          .ram_height = 480,
-          .width = 320,
-          .height = 480,
-          .mirrored = true,
-          .bgr = true,
-          .lock = Lock::st7796};
 }
 
 // What QEMU 7.2 knows of the SSD0323, and no more: the same image has to run there.
