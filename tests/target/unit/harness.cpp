@@ -54,7 +54,8 @@ void Failure::operator=(const Message& message) const {
   failed = true;
   failed_for_good = failed_for_good || fatal_;
   const std::string text =
-      (Message() << file_ << ":" << line_ << ": expected: " << expected_ << " " << message << Trace::all() << "\n").text();
+      (Message() << file_ << ":" << line_ << ": expected: " << expected_ << " " << message << Trace::all() << "\n")
+          .text();
   print(text.c_str());
 }
 
