@@ -25,6 +25,7 @@ struct StrandBlock {
   Rgb8 color;
   Stroke stroke;
 };
+static_assert(sizeof(StrandBlock) <= 112);  // 96 of them its walk: four 64-bit differences in x and in y, and its place
 
 // The pools, erased.
 struct CurveStorage {
