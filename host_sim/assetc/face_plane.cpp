@@ -5,8 +5,6 @@
 namespace spanline::host {
 namespace {
 
-using area::GridPoint;
-
 // A point thrown onto the plane: where, and how far the light has to go from it to the plane.
 struct Thrown {
   double x, y, way;
@@ -38,10 +36,10 @@ bool beyond(const std::vector<Thrown>& ring, double edge) {
 }
 
 // The square of side 2 * margin moved along an edge: what is no further from it than the margin, in x and in y.
-GridRing swept_square(GridPoint a, GridPoint b, std::int32_t margin) {
+GridRing swept_square(area::GridPoint a, area::GridPoint b, std::int32_t margin) {
   if (b.x < a.x) std::swap(a, b);
   const auto at = [](std::int32_t x, std::int32_t y) {
-    return GridPoint{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
+    return area::GridPoint{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
   };
   const std::int32_t m = margin;
   if (b.y >= a.y) {
@@ -97,7 +95,7 @@ std::optional<FacePlane> FacePlane::of(const MeshSource& mesh, const MeshFace& f
   return plane;
 }
 
-GridPoint FacePlane::grid_point(Vec3 p) const {
+area::GridPoint FacePlane::grid_point(Vec3 p) const {
   const Vec3 d = p - origin_;
   const double square = dot(right_, right_);
   const auto held = [](double v) { return std::clamp(v, double{-kWindow}, double{kWindow}); };
