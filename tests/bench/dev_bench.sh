@@ -1,11 +1,13 @@
 # The verb `bench` of ./dev, which reads this file.
 
 bench_usage() {
-  echo "usage: ./dev bench [--scene F.json [--cpu m0plus|m3|m4] [--shading flat|gouraud]]" >&2
+  echo "usage: ./dev bench [--pages | --scene F.json [--cpu m0plus|m3|m4] [--shading flat|gouraud]]" >&2
   exit 2
 }
 
 bench() {
+  pages=
+  [ "${1:-}" != --pages ] || { pages=yes; shift; }
   scene= cpus="m0plus m3 m4" shadings="flat gouraud"
   while [ $# -ge 2 ]; do
     case "$1" in
@@ -27,12 +29,17 @@ bench() {
   need_cross_tools
   need libunicorn-dev libcapstone-dev libelf-dev libbenchmark-dev
   say "building the counting tool"
-  build host spanline-frames
+  build host spanline spanline-frames
   say "frames, counted"
   [ -n "$scene" ] && set -- "$scene" || set -- assets/scenes/S1.json assets/scenes/S3.json assets/scenes/S4.json
   sh tests/bench/frames.sh . build/bench build/host/spanline-frames "$cpus" "$shadings" "$@"
   echo "$(pwd)/build/bench/frames.json"
   [ -z "$scene" ] || return 0
+  if [ -n "$pages" ]; then
+    say "docs/performance.md"
+    sh tests/bench/performance_page.sh . build/bench build/host docs/performance.md
+    return
+  fi
   say "pieces, on this machine"
   want libpolyclipping-dev
   build host spanline_bench

@@ -1,0 +1,75 @@
+#!/bin/sh
+# How the cost of a frame grows with the triangles of one shape on one screen: balls of 120 to 19,880 triangles on a Cortex-M4.
+# Fits a + b triangles + c crossings and fails where a ball is more than 10 % off, or where from 1,000 triangles on the cost
+# grows faster than their number to the power of 1.1. Prints a table in Markdown.
+# usage: growth.sh SOURCE WORK FRAMES    (FRAMES: the tool spanline-frames)
+set -eu
+[ $# -eq 3 ] || { echo "usage: growth.sh SOURCE WORK FRAMES" >&2; exit 2; }
+source=$1
+mkdir -p "$2/growth"
+work=$(cd "$2/growth" && pwd)
+tool=$3
+
+# ball RINGS: a ball of as many rings and twice as many sectors, and a scene that shows it.
+ball() {
+  awk -v rings="$1" 'BEGIN {
+    pi = atan2(0, -1); sectors = 2 * rings
+    print "v 0 1 0"
+    for (i = 1; i < rings; ++i) for (k = 0; k < sectors; ++k) {
+      a = pi * i / rings; b = 2 * pi * k / sectors
+      printf "v %.6f %.6f %.6f\n", sin(a) * cos(b), cos(a), -sin(a) * sin(b)
+    }
+    print "v 0 -1 0"
+    last = 2 + (rings - 1) * sectors
+    for (k = 0; k < sectors; ++k) {
+      next_k = (k + 1) % sectors
+      print "f", 1, 2 + k, 2 + next_k
+      for (i = 0; i + 2 < rings; ++i) {
+        p = 2 + i * sectors + k; q = 2 + i * sectors + next_k
+        print "f", p, p + sectors, q
+        print "f", q, p + sectors, q + sectors
+      }
+      print "f", last, 2 + (rings - 2) * sectors + next_k, 2 + (rings - 2) * sectors + k
+    }
+  }' > "$work/ball$1.obj"
+  printf '{ "size": [320, 240], "camera": { "eye": [0, 0.9, 3], "target": [0, 0, 0], "fov": 45, "near": 1, "far": 9 },\n' > "$work/ball$1.json"
+  printf '  "meshes": [ { "name": "ball", "obj": "ball%s.obj" } ], "instances": [ { "mesh": "ball" } ] }\n' "$1" >> "$work/ball$1.json"
+}
+
+set --
+for rings in 6 9 16 28 50 71; do
+  ball $rings
+  set -- "$@" "$work/ball$rings.json"
+done
+sh "$source/tests/bench/frames.sh" "$source" "$work" "$tool" m4 flat "$@" > "$work/table.txt"
+
+# One line a ball: triangles, crossings, instructions.
+for rings in 6 9 16 28 50 71; do
+  tr -d '",' < "$work/frames/ball$rings-flat/expected.json" |
+    awk '$1 == "faces:" { faces = $2 } $1 == "edge_crossings:" { crossings = $2 } END { printf "%d %d ", faces, crossings }'
+  tr -d '",' < "$work/frames.json" | awk -v name="ball$rings" '$1 == "scene:" { scene = $2 } $1 == "instructions:" && scene == name { print $2 }'
+done > "$work/counted.txt"
+
+awk '
+  { n[NR] = $1; x[NR] = $2; y[NR] = $3 }
+  # Least squares of the relative error: rows (1, n, x) / y against 1.
+  END {
+    for (r = 1; r <= NR; ++r) {
+      v[1] = 1 / y[r]; v[2] = n[r] / y[r]; v[3] = x[r] / y[r]
+      for (i = 1; i <= 3; ++i) { for (j = 1; j <= 3; ++j) m[i, j] += v[i] * v[j]; m[i, 4] += v[i] }
+    }
+    for (i = 1; i <= 3; ++i) for (k = 1; k <= 3; ++k) if (k != i) {
+      f = m[k, i] / m[i, i]
+      for (j = i; j <= 4; ++j) m[k, j] -= f * m[i, j]
+    }
+    for (i = 1; i <= 3; ++i) p[i] = m[i, 4] / m[i, i]
+    print "| triangles | crossings | instructions | a triangle | the fit is off by |\n|--:|--:|--:|--:|--:|"
+    for (r = 1; r <= NR; ++r) {
+      off = (p[1] + p[2] * n[r] + p[3] * x[r]) / y[r] - 1
+      if (off * off > 0.01) bad = 1
+      printf "| %d | %d | %d | %.0f | %.1f %% |\n", n[r], x[r], y[r], y[r] / n[r], 100 * off
+    }
+    power = log(y[NR] / y[3]) / log(n[NR] / n[3])
+    printf "\nInstructions = %.0f + %.0f triangles + %.1f crossings; from %d to %d triangles the cost grows as n^%.2f.\n", p[1], p[2], p[3], n[3], n[NR], power
+    exit bad || power > 1.1
+  }' "$work/counted.txt"
