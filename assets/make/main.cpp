@@ -9,12 +9,17 @@ namespace {
 
 using spanline::make::Mesh;
 
+template <typename Write>
+void save_file(const std::string& path, const Write& write) {
+  std::ofstream out(path, std::ios::binary);
+  write(out);
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + path);
+}
+
 void save(const std::string& folder, const std::string& name, const Mesh& mesh, const std::string& comment,
           const std::string& mtl = "") {
-  std::ofstream out(folder + "/" + name, std::ios::binary);
-  mesh.write(out, comment, mtl);
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + folder + "/" + name);
+  save_file(folder + "/" + name, [&](std::ostream& out) { mesh.write(out, comment, mtl); });
 }
 
 }  // namespace
@@ -31,6 +36,7 @@ int main(int argc, char** argv) try {
        "Newell's teapot, each patch diced into 4 x 4 x 2 triangles");
   save(folder, "teapot_fine.obj", make::dice_patches(patches, 6, false),
        "Newell's teapot, each patch diced into 6 x 6 quads");
+  save_file(folder + "/teapot_seed.bpt", [&](std::ostream& out) { make::write_seed_teapot(patches, out); });
   save(folder, "gear20.obj", make::gear(20, 5), "A gear of 20 teeth");
   save(folder, "gear12.obj", make::gear(12, 4), "A gear of 12 teeth that meshes with gear20.obj");
   save(folder, "gauge_rim.obj", make::gauge_rim(), "The rim of a round gauge");

@@ -11,6 +11,10 @@ namespace spanline::make {
 // The Bezier patches of a .bpt file, z up, diced into `steps` x `steps` quads each, or twice as many triangles.
 Mesh dice_patches(const std::string& bpt, int steps, bool triangles);
 
+// The teapot as the listing of seed 3 has it, made from the whole one of a .bpt file: y up, on the ground, and without
+// its bottom. Written as a .bpt file.
+void write_seed_teapot(const std::string& bpt, std::ostream& out);
+
 // A gear in the x-y plane with a bore, a raised hub that pierces the web, and `holes` round holes in the web (a divisor
 // of `teeth`); its faces are concave n-gons from hole to hole. The pitch radius is teeth / 20, so gears of any two
 // sizes mesh.

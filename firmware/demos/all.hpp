@@ -3,11 +3,12 @@
 #include "demos/cubes.hpp"
 #include "demos/gauges.hpp"
 #include "demos/gears.hpp"
+#include "demos/patches.hpp"
 #include "demos/teapot.hpp"
 
 namespace spanline::demos {
 
 // Every demo, in the order in which they are listed.
-inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges};
+inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges, &patches};
 
 }  // namespace spanline::demos

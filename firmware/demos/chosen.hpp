@@ -2,7 +2,7 @@
 #pragma once
 
 #ifndef SPANLINE_DEMO
-#error "SPANLINE_DEMO is not defined: teapot, cubes, gears or gauges"
+#error "SPANLINE_DEMO is not defined: teapot, cubes, gears, gauges or patches"
 #endif
 
 #include "demos/all.hpp"

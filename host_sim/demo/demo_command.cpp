@@ -23,7 +23,10 @@ PoolSizes pools_of(const Budget& budget) {
           .edges = budget.edges,
           .segments = budget.segments,
           .samples = budget.samples,
-          .implied = budget.implied};
+          .implied = budget.implied,
+          .patch_facets = budget.patch_facets,
+          .patch_vertices = budget.patch_vertices,
+          .patch_tolerance = budget.patch_tolerance};
 }
 
 void require(bool ok, const Status& status, const std::string& name) {

@@ -19,7 +19,9 @@ constexpr Budget kAmple{.width = 320,
                         .edges = 256,
                         .segments = 256,
                         .samples = 256,
-                        .implied = 64};
+                        .implied = 64,
+                        .patch_facets = 4096,
+                        .patch_vertices = 6144};
 FrameMemory<kAmple> memory;
 
 std::uint32_t sum(std::uint32_t from, Slice<const std::uint8_t> bytes) {
@@ -32,7 +34,7 @@ constexpr std::uint32_t kBasis = 2166136261u;
 Status draw(demos::Stage& stage, const Screen& screen, std::uint32_t number, bool lines) {
   FrameStorage storage = memory.storage();
   storage.screen = screen;
-  Frame<> frame(storage);
+  Frame<FrameOptions{.patches = true}> frame(storage);
   stage.show(number);
   std::uint32_t whole = kBasis;
   std::vector<std::uint32_t> words((frame.line_bytes() + 3) / 4);

@@ -37,6 +37,7 @@ TEST(SideWalk, IsTheSameFromBothEndsAndNearlyExact) {
       reversed.push_back(walk_back.at());
       const double exact = static_cast<double>(oracle::exact_cubic(x, step, steps)) / std::pow(steps, 3);
       ASSERT_NEAR(walk.at().x, exact, 2) << steps << " steps, " << step;
+      ASSERT_TRUE(same_point(walk.at(), curve_point(p, step, steps))) << steps << " steps, " << step;
       if (step == steps) break;
       walk.step();
       walk_back.step();
@@ -73,7 +74,7 @@ TEST(GridSide, FollowsTheVertexMap) {
       vertices.push_back(walk.at());
       GridSide side(p, own, grid);
       for (std::uint32_t i = 0; i <= grid; ++i) {
-        ASSERT_TRUE(same_point(side.at(), vertices[(2 * i * own + grid) / (2 * grid)])) << own << " of " << grid;
+        ASSERT_TRUE(same_point(side.at(), vertices[side_vertex(i, own, grid)])) << own << " of " << grid;
         if (i < grid) side.step();
       }
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kSquare{240, 240, PixelFormat::rgb565},
     kTall{240, 320, PixelFormat::rgb565}, kSmall{128, 64, PixelFormat::grey4};
-constexpr std::uint32_t kLoops[] = {180, 360, 600, 360};  // frames after which each of kAll repeats
+constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180};  // frames after which each of kAll repeats
 
 // Where anything but background was seen.
 struct Extent {
@@ -33,7 +33,7 @@ template <const Layouts& kDemo, Screen kScreen>
 void check_every_frame(std::uint32_t loop) {
   constexpr Demo kFramed = kDemo.framed_for(kScreen);
   static FrameMemory<budget_for(kFramed, kScreen)> memory;
-  Frame<FrameOptions{.statistics = true, .taps = true}> frame(memory.storage());
+  Frame<FrameOptions{.statistics = true, .taps = true, .patches = true}> frame(memory.storage());
   Extent extent;
   frame.set_tap({&extent, Extent::note});
   Stage stage;
@@ -75,6 +75,7 @@ TEST(Demos, EveryFrameFitsItsPoolsAndThePicture) {
   check_every_screen<cubes>(kLoops[1]);
   check_every_screen<gears>(kLoops[2]);
   check_every_screen<gauges>(kLoops[3]);
+  check_every_screen<patches>(kLoops[4]);
 }
 
 std::vector<std::uint8_t> state(const Stage& stage) {

@@ -5,7 +5,7 @@ made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 "$2" "$1/teapot.bpt" "$made"
 failed=0
-for mesh in "$made"/*.obj; do
+for mesh in "$made"/*; do
   cmp "$mesh" "$1/$(basename "$mesh")" || failed=1
 done
 for mesh in "$1"/*.obj; do

@@ -35,6 +35,8 @@ class LinePair {
   unsigned turn_ = 0;
 };
 
+using TheFrame = Frame<options_for(kBudget)>;
+
 FrameMemory<kBudget> memory;
 ScanOutMemory<kBudget> shown_before;
 constinit LinePair lines;
@@ -57,7 +59,7 @@ ScanOutStorage scan_out_storage() {
   return storage;
 }
 
-void draw(Frame<>& frame, Presenter<BoardPanel>& presenter) {
+void draw(TheFrame& frame, Presenter<BoardPanel>& presenter) {
   presenter.begin_frame(stage.view().scene().background);
   for (Band rest{0, kScreen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
@@ -86,7 +88,7 @@ void report(std::uint32_t shown) {
   BoardPanel& panel = board.panel();
   demand(panel.begin());
   demand(stage.begin(kDemo, kScreen));
-  Frame<> frame(memory.storage());
+  TheFrame frame(memory.storage());
   Presenter<BoardPanel> presenter(panel, scan_out_storage());
   for (std::uint32_t shown = 0;; ++shown) {
     frame_begin_mark();

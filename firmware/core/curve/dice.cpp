@@ -18,32 +18,31 @@ PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&p
   own_last_ = curve_steps(patch.at[3], view);
   columns_ = most(most(own_first_, own_last_), most(curve_steps(patch.at[1], view), curve_steps(patch.at[2], view)));
 
-  Curve column[4];
   std::uint32_t own[4];
   rows_ = 1;
   for (int j = 0; j < 4; ++j) {
-    take_column(patch, j, column[j]);
-    own[j] = curve_steps(column[j], view);
+    Curve column;
+    take_column(patch, j, column);
+    own[j] = curve_steps(column, view);
     rows_ = most(rows_, own[j]);
   }
-  left_ = GridSide(column[0], own[0], rows_);
-  right_ = GridSide(column[3], own[3], rows_);
-  for (int j = 0; j < 4; ++j) controls_[j] = SideWalk(column[j], rows_);
+  own_left_ = own[0];
+  own_right_ = own[3];
 }
 
 GridRow PatchDicer::next_row() {
   CHECK(row_ <= rows_);
   GridRow row;
-  for (int j = 0; j < 4; ++j) row.control[j] = controls_[j].at();  // the control points themselves at both ends
-  row.left = left_.at();
-  row.right = right_.at();
+  for (int j = 0; j < 4; ++j) {
+    Curve column;
+    take_column(*patch_, j, column);
+    row.control[j] = curve_point(column, row_, rows_);  // the control points themselves at both ends
+    if (j == 0) row.left = curve_point(column, side_vertex(row_, own_left_, rows_), own_left_);
+    if (j == 3) row.right = curve_point(column, side_vertex(row_, own_right_, rows_), own_right_);
+  }
   if (row_ == 0) row.own = own_first_;
   if (row_ == rows_) row.own = own_last_;
-  if (++row_ <= rows_) {
-    left_.step();
-    right_.step();
-    for (SideWalk& column : controls_) column.step();
-  }
+  ++row_;
   return row;
 }
 

@@ -64,12 +64,9 @@ class PatchDicer {
   const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
   std::uint32_t own_first_, own_last_;  // steps of the sides along u
+  std::uint32_t own_left_, own_right_;  // and along v
   std::uint32_t row_ = 0;
-  GridSide left_, right_;  // the sides along v
-  SideWalk controls_[4];   // the columns of control points at the grid's steps: an inner row's control points
 };
-
-static_assert(sizeof(PatchDicer) <= 1024, "it lives on the stack");
 
 // A facet of a patch: its corners in order, first along u; a triangle where a side has fewer steps than the grid.
 struct PatchFacet {

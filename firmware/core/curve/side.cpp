@@ -74,6 +74,21 @@ std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view) {
   return square <= 1 ? 1 : square_root(static_cast<std::uint32_t>(square) - 1) + 1;
 }
 
+// n^3 * B(i / n) as a sum; its weights add up to n^3.
+ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps) {
+  CHECK(index <= steps && steps >= 1 && steps <= kMaxSteps);
+  if (index == 0) return p[0];
+  if (index == steps) return p[3];
+  const auto i = static_cast<std::int32_t>(index), rest = static_cast<std::int32_t>(steps - index);
+  const std::int32_t weights[4] = {rest * rest * rest, 3 * rest * rest * i, 3 * rest * i * i, i * i * i};
+  const auto at = [&](std::int32_t ClipPoint::*axis) {
+    std::int64_t sum = 0;
+    for (int k = 0; k < 4; ++k) sum += std::int64_t{weights[k]} * (p[k].*axis);
+    return divided_by_cube(sum, steps);
+  };
+  return {at(&ClipPoint::x), at(&ClipPoint::y), at(&ClipPoint::w)};
+}
+
 SideWalk::SideWalk(const ClipPoint (&p)[4], std::uint32_t steps)
     : x_(scaled_basis(p, &ClipPoint::x, steps)),
       y_(scaled_basis(p, &ClipPoint::y, steps)),

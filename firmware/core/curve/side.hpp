@@ -29,6 +29,9 @@ struct DiceView {
 // the curve run backwards.
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view);
 
+// A curve's point at t = index / steps, the one that SideWalk steps to.
+ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps);
+
 // Steps off the points of a curve at t = i / n exactly: the registers hold n^3 times the coordinate, an integer, so
 // that the point is the same number seen from either end. What comes out is rounded once, by a rule that sees that
 // number and n only.
@@ -54,6 +57,11 @@ class SideWalk {
 
 // A side of a patch as its grid sees it: grid vertex i of `grid` is vertex floor((2 i own + grid) / (2 grid)) of the
 // side's own `own` <= grid ones. So each own chord is used once, whatever the grid, and the neighbour uses the same.
+constexpr std::uint32_t side_vertex(std::uint32_t i, std::uint32_t own, std::uint32_t grid) {
+  return (2 * i * own + grid) / (2 * grid);
+}
+
+// Steps a side off in this way.
 class GridSide {
  public:
   GridSide() = default;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kLineBytes = bytes_per_line(shown::kBudget.format, shown::kBudget.width);
 
-using TheFrame = Frame<FrameOptions{.patches = shown::kBudget.patch_facets != 0, .walker = shown::kBudget.walker}>;
+using TheFrame = Frame<options_for(shown::kBudget)>;
 
 FrameMemory<shown::kBudget> memory;
 alignas(4) std::uint8_t lines[2][kLineBytes];
