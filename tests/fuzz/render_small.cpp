@@ -17,7 +17,9 @@ EngineOptions small(Comparator comparator) {
                    .edges = 1024,
                    .segments = 2048,
                    .samples = 512,
-                   .implied = 512};
+                   .implied = 512,
+                   .patch_facets = 8192,
+                   .patch_vertices = 12000};
   return options;
 }
 

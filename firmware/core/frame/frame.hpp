@@ -10,7 +10,9 @@ namespace spanline {
 using FrameOptions = VsgOptions;
 
 // The options that go with a budget: its walker, and patches where there is room for them.
-constexpr FrameOptions options_for(const Budget& budget) { return {.patches = budget.patch_facets != 0, .walker = budget.walker}; }
+constexpr FrameOptions options_for(const Budget& budget) {
+  return {.patches = budget.patch_facets != 0, .walker = budget.walker};
+}
 
 template <FrameOptions kOptions = FrameOptions{}>
 class Frame {

@@ -1,0 +1,76 @@
+// The diced teapot against the oversampled one in random views: no hole, the outline as near as the tolerance says, and
+// the right patch in every pixel.
+//
+// A pixel is wrong where the picture shows the background, and all samples within the bound show one part of the teapot
+// (a hole, or an outline too far in); or the other way round (too far out). Parts are what is joined by shared sides:
+// body, lid, bottom, spout, handle. The handle's ends merely touch the body; where two parts meet, each may be off by
+// the tolerance, and a pixel of background between them is a matter of their outlines, not a hole in either.
+//
+// A patch is the right one where some sample within a pixel shows it. Parts that pierce each other do so at any angle,
+// and the line may move along the surfaces by more than that: there the patch seen must be within a pixel in depth.
+// Where a rim is seen edge-on, the patches that meet in it are as near each other as they are to the truth; that is
+// left of identity: a pixel in fifty thousand at most.
+#include <gtest/gtest.h>
+
+#include "frame/patch_oversampled.hpp"
+#include "frame/patch_views.hpp"
+#include "vsg/scale.hpp"
+
+namespace spanline::test {
+namespace {
+
+struct Bounds {
+  std::uint16_t tolerance;  // 1/16 px, of dicing
+  double outline;           // px
+};
+constexpr Bounds kHalf{8, 1.0}, kQuarter{4, 0.5};
+constexpr double kIdentity = 1.0;  // px, across and in depth
+
+struct Wrong {
+  std::size_t holes = 0, outline = 0, identity = 0, covered = 0;
+};
+
+Wrong compare(const host::Rendering& drawn, const Oversampled& truth, double outline) {
+  Wrong wrong;
+  const int width = drawn.picture.width, height = drawn.picture.height;
+  for (int line = 0; line < height; ++line) {
+    for (int column = 0; column < width; ++column) {
+      const std::uint32_t id =
+          drawn
+              .ids[static_cast<std::size_t>(line) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+      if (id == 0) {
+        wrong.holes += truth.inside_a_part(column, line, outline);
+      } else {
+        ++wrong.covered;
+        wrong.outline += !truth.shows_any(column, line, outline);
+        wrong.identity +=
+            !truth.shows(id, column, line, kIdentity) && !truth.pierced_by(id, column, line, kIdentity, kIdentity);
+      }
+    }
+  }
+  return wrong;
+}
+
+void compare_views(std::uint16_t width, std::uint16_t height, const Bounds& bounds, std::uint64_t views) {
+  host::CompiledScene scene = teapot_scene(host::MeshShading::flat, width, height);
+  host::EngineOptions options;
+  options.pools.patch_tolerance = bounds.tolerance;
+  std::size_t identity = 0, covered = 0;
+  for (std::uint64_t view = 0; view < views; ++view) {
+    oracle::Random random(view + 1);
+    look_from_anywhere(scene, random, 0.7 + random.below(100) / 100.0);
+    const Wrong wrong = compare(render(scene, options), Oversampled(scene), bounds.outline);
+    EXPECT_EQ(wrong.holes, 0u) << "view " << view;
+    EXPECT_EQ(wrong.outline, 0u) << "view " << view;
+    identity += wrong.identity;
+    covered += wrong.covered;
+  }
+  EXPECT_LE(identity, covered / 50'000) << "of " << covered;
+}
+
+TEST(PatchProof, HalfAPixelAt320x240) { compare_views(320, 240, kHalf, scene_count(20, 1000)); }
+TEST(PatchProof, HalfAPixelAt480x320) { compare_views(480, 320, kHalf, scene_count(8, 1000)); }
+TEST(PatchProof, AQuarterOfAPixelAt320x240) { compare_views(320, 240, kQuarter, scene_count(8, 200)); }
+
+}  // namespace
+}  // namespace spanline::test
