@@ -33,9 +33,6 @@ inline constexpr Picture kPictures[] = {
     {"gauges-wide-60", &demos::gauges, 60, kWide, 0x98c4a1c3},
     {"gauges-tall-3000000", &demos::gauges, 3000000, kTall, 0x7503777f},
     {"gauges-oled-120", &demos::gauges, 120, kOled, 0xc50d227d},
-    {"patches-wide-0", &demos::patches, 0, kWide, 0x2c9e90e5},
-    {"patches-tall-70", &demos::patches, 70, kTall, 0x00773f14},
-    {"patches-oled-110", &demos::patches, 110, kOled, 0x66dcbc25},
 };
 
 // Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.
@@ -43,29 +40,11 @@ inline constexpr Budget kBudget{.width = 320,
                                 .height = 320,
                                 .facets = 576,
                                 .vertices = 700,
-                                .polygons = 112,
+                                .polygons = 80,
                                 .edges = 320,
-                                .segments = 112,
-                                .active = 24,
-                                .patch_facets = 200,
-                                .patch_vertices = 400};
+                                .segments = 80,
+                                .active = 24};
 inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
-
-// Draws what is on the stage in one way.
-template <FrameOptions kOptions>
-Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
-                  std::uint32_t& crc) {
-  Frame<kOptions> frame(storage);
-  Crc32 sum;
-  for (Band rest{0, storage.screen.height}; !rest.empty();) {
-    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
-    if (band.empty()) break;
-    while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
-    rest.top = band.bottom;
-  }
-  crc = sum.value();
-  return frame.status();
-}
 
 // Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of
 // all lines. Fails with the status of the stage or of the frame.
@@ -75,9 +54,16 @@ inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& s
   if (!status.ok()) return status;
   stage.show(picture.frame);
   storage.screen = picture.screen;
-  constexpr FrameOptions kPatches{.patches = true};
-  return stage.view().has_patches() ? draw_stage<kPatches>(storage, stage, line, crc)
-                                    : draw_stage<FrameOptions{}>(storage, stage, line, crc);
+  Frame<> frame(storage);
+  Crc32 sum;
+  for (Band rest{0, picture.screen.height}; !rest.empty();) {
+    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
+    if (band.empty()) break;
+    while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
+    rest.top = band.bottom;
+  }
+  crc = sum.value();
+  return frame.status();
 }
 
 }  // namespace spanline::golden
