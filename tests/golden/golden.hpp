@@ -9,8 +9,13 @@
 namespace spanline::golden {
 
 struct Picture {
+  // Framed while compiling, so that an image holds the layouts that it shows and no more.
+  constexpr Picture(const char* as, const demos::Layouts& layouts, std::uint32_t at, const Screen& on,
+                    std::uint32_t expected)
+      : name(as), demo(layouts.framed_for(on)), frame(at), screen(on), crc(expected) {}
+
   const char* name;
-  const demos::Layouts* demo;
+  demos::Demo demo;
   std::uint32_t frame;
   Screen screen;
   std::uint32_t crc;
@@ -21,18 +26,18 @@ inline constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, Pi
     kMono{128, 64, PixelFormat::mono1};
 
 inline constexpr Picture kPictures[] = {
-    {"teapot-wide-0", &demos::teapot, 0, kWide, 0xde26199c},
-    {"teapot-oled-100", &demos::teapot, 100, kOled, 0xff60ae3a},
-    {"teapot-mono-20", &demos::teapot, 20, kMono, 0x84723bc3},
-    {"cubes-square-90", &demos::cubes, 90, kSquare, 0x7f1227a8},
-    {"cubes-grey-250", &demos::cubes, 250, kGrey, 0xeb6608be},
-    {"cubes-oled-200", &demos::cubes, 200, kOled, 0x342ee53b},
-    {"gears-wide-7", &demos::gears, 7, kWide, 0x8947b9d0},
-    {"gears-tall-150", &demos::gears, 150, kTall, 0xd4fb0b49},
-    {"gears-oled-33", &demos::gears, 33, kOled, 0xd4387eb6},
-    {"gauges-wide-60", &demos::gauges, 60, kWide, 0x98c4a1c3},
-    {"gauges-tall-3000000", &demos::gauges, 3000000, kTall, 0x7503777f},
-    {"gauges-oled-120", &demos::gauges, 120, kOled, 0xc50d227d},
+    {"teapot-wide-0", demos::teapot, 0, kWide, 0xde26199c},
+    {"teapot-oled-100", demos::teapot, 100, kOled, 0xff60ae3a},
+    {"teapot-mono-20", demos::teapot, 20, kMono, 0x84723bc3},
+    {"cubes-square-90", demos::cubes, 90, kSquare, 0x7f1227a8},
+    {"cubes-grey-250", demos::cubes, 250, kGrey, 0xeb6608be},
+    {"cubes-oled-200", demos::cubes, 200, kOled, 0x342ee53b},
+    {"gears-wide-7", demos::gears, 7, kWide, 0x8947b9d0},
+    {"gears-tall-150", demos::gears, 150, kTall, 0xd4fb0b49},
+    {"gears-oled-33", demos::gears, 33, kOled, 0xd4387eb6},
+    {"gauges-wide-60", demos::gauges, 60, kWide, 0x98c4a1c3},
+    {"gauges-tall-3000000", demos::gauges, 3000000, kTall, 0x7503777f},
+    {"gauges-oled-120", demos::gauges, 120, kOled, 0xc50d227d},
 };
 
 // Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.
@@ -50,7 +55,7 @@ inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb5
 // all lines. Fails with the status of the stage or of the frame.
 inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& stage, Slice<std::uint8_t> line,
                    std::uint32_t& crc) {
-  const Status status = stage.begin(picture.demo->framed_for(picture.screen), picture.screen);
+  const Status status = stage.begin(picture.demo, picture.screen);
   if (!status.ok()) return status;
   stage.show(picture.frame);
   storage.screen = picture.screen;
