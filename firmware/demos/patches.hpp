@@ -42,7 +42,7 @@ inline constexpr Layouts patches{
       .samples = 32,
       .implied = 0,
       .patch_facets = 110,
-      .patch_vertices = 260,
+      .patch_vertices = 244,
       .gouraud = false}}};
 
 }  // namespace spanline::demos
