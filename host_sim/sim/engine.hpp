@@ -24,7 +24,7 @@ struct EngineOptions {
   PixelFormat format = PixelFormat::rgb565;
   Comparator comparator = Comparator::plane;
   Walker walker = Walker::segments;  // both: the edge walker where it can; never edges
-  std::uint16_t bands = 1;       // at least that many equal ones
+  std::uint16_t bands = 1;           // at least that many equal ones
   PoolSizes pools;
   bool observe = false;  // face and depth of every pixel, statistics
   std::function<void(const FinishedLine&)> on_line = {};
