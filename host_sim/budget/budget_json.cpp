@@ -56,8 +56,10 @@ Json frames_json(const FrameReport& report, const RunReport& run, bool timed) {
   }
   json["lines"] = Json::array();
   for (const FrameReport::Line& line : report.lines) {
-    json["lines"].push_back(
-        {{"compute", line.compute}, {"wire", line.wire}, {"slack", line.slack ? Json(*line.slack) : Json()}});
+    json["lines"].push_back({{"compute", line.compute},
+                             {"bytes", line.bytes},
+                             {"wire", line.wire},
+                             {"slack", line.slack ? Json(*line.slack) : Json()}});
   }
   return json;
 }

@@ -77,16 +77,18 @@ void write_lines(std::ostream& out, const FrameReport& report) {
     out << "  the worst line: " << worst.line << " of frame " << worst.frame << ", " << worst.compute << " cycles: its "
         << name(worst.stage) << " takes " << worst.in_stage << " where " << worst.usual << " are usual\n";
   }
-  int late = 0;
+  int late = 0, sent = 0;
   std::int64_t least = INT64_MAX;
   for (const FrameReport::Line& line : report.lines) {
+    sent += line.bytes == 0 ? 0 : 1;
     if (!line.slack) continue;
     late += *line.slack < 0 ? 1 : 0;
     least = std::min(least, *line.slack);
   }
-  if (report.lines.size() < 2) return;
-  out << "  worst frame " << report.worst_frame << ": " << late << " of " << report.lines.size()
-      << " lines come after the wire was free, the least slack is " << least << " cycles; ";
+  if (sent < 2) return;
+  out << "  worst frame " << report.worst_frame << ": " << sent << " of " << report.lines.size()
+      << " lines are sent, in part or whole; " << late << " of them come after the wire was free, the least slack is "
+      << least << " cycles; ";
   if (report.ring) {
     out << *report.ring << " line buffers never let it wait\n";
   } else {

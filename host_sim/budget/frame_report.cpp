@@ -12,14 +12,27 @@ std::uint64_t busy(const Count& count) { return count.cycles == 0 ? count.instru
 
 std::vector<FrameReport::Line> lines_of(const FrameRecord& frame) {
   std::vector<FrameReport::Line> lines;
-  for (std::size_t i = 0; i < frame.lines.size(); ++i) {
-    const FrameRecord::Line& line = frame.lines[i];
-    lines.push_back({busy(line.count), line.end - line.begin, std::nullopt});
-    if (i == 0) continue;
-    const std::uint64_t ready = line.given - line.count.waiting;
-    lines.back().slack = static_cast<std::int64_t>(frame.lines[i - 1].end - ready);
+  std::optional<std::uint64_t> sent;
+  for (const FrameRecord::Line& line : frame.lines) {
+    lines.push_back({busy(line.count), line.bytes, line.end - line.begin, std::nullopt});
+    if (line.bytes == 0) continue;
+    if (sent) lines.back().slack = static_cast<std::int64_t>(*sent - line.ready);
+    sent = line.end;
   }
   return lines;
+}
+
+// A line of which nothing is sent leaves its buffer to the next one: to the wire the two are one.
+std::vector<LineTime> times_of(const std::vector<FrameReport::Line>& lines) {
+  std::vector<LineTime> times;
+  std::uint64_t compute = 0;
+  for (const FrameReport::Line& line : lines) {
+    compute += line.compute;
+    if (line.bytes == 0) continue;
+    times.push_back({compute, line.wire});
+    compute = 0;
+  }
+  return times;
 }
 
 // The line that takes longest, and the stage that sets it apart from the usual line.
@@ -95,9 +108,7 @@ std::optional<FrameReport> frame_report(const RunReport& run, std::uint32_t kilo
   report.rate = rate_of(real(busy(report.total)), real(wire), real(time), real(run.frames.size()), kilohertz);
   report.worst_rate = rate_of(real(busy(worst.count)), real(worst.wire), real(worst.end - worst.begin), 1, kilohertz);
   report.lines = lines_of(worst);
-  std::vector<LineTime> times;
-  for (const FrameReport::Line& line : report.lines) times.push_back({line.compute, line.wire});
-  report.ring = smallest_ring(times);
+  report.ring = smallest_ring(times_of(report.lines));
   return report;
 }
 

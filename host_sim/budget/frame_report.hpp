@@ -18,10 +18,14 @@ struct Spread {
 Spread spread_of(std::vector<std::uint64_t> values);
 
 struct FrameReport {
+  // Of the picture.
   struct Line {
-    std::uint64_t compute;              // cycles, stalls included, waiting not
-    std::uint64_t wire;                 // cycles from its first bit to its last
-    std::optional<std::int64_t> slack;  // cycles it was ready before the wire was; negative: the wire waited for it
+    std::uint64_t compute;  // cycles, stalls included, waiting not
+    std::uint64_t bytes;    // of its pixels that were sent
+    std::uint64_t wire;     // cycles from its first bit to its last; 0 where nothing was sent
+    // Cycles it was ready before the wire was; negative: the wire waited for it. Nothing where nothing was sent, now or
+    // before.
+    std::optional<std::int64_t> slack;
   };
   struct WorstLine {
     std::size_t frame, line;

@@ -50,6 +50,10 @@ class Chip {
   MemoryTiming& memory() { return memory_; }
   std::uint64_t dma_bytes() const { return dma_bytes_; }
   std::uint64_t pixels_given() const { return port_.pixels(); }
+  // With those that a DMA transfer under way will give.
+  std::uint64_t pixels_promised() const {
+    return port_.pixels() + (dma_.active && wire_.takes_pixels() ? dma_.left : 0);
+  }
 
   // What the image did to the clock tree that the part does not allow.
   const std::vector<std::string>& complaints() const { return complaints_; }

@@ -15,34 +15,49 @@ StageCounts difference(const StageCounts& a, const StageCounts& b) {
 
 void FrameRecorder::begin_frame(const Ledger& so_far) {
   open_ = true;
-  prepared_ = false;
-  begin_ = line_begin_ = so_far.total();
-  stages_begin_ = stages_line_begin_ = so_far.stages();
-  first_pixel_ = pixels_;
+  prepared_ = line_open_ = between_bands_ = false;
+  begin_ = so_far.total();
+  stages_begin_ = so_far.stages();
+  frame_pixel_ = pixels_;
   waits_.clear();
   frames_.emplace_back();
   frames_.back().begin = so_far.total().time();
 }
 
-void FrameRecorder::begin_lines(const Ledger& so_far) {
-  if (!open_ || prepared_) return;
-  prepared_ = true;
-  frames_.back().prepare = so_far.total() - begin_;
-  line_begin_ = so_far.total();
-  stages_line_begin_ = so_far.stages();
+void FrameRecorder::begin_line(std::uint64_t promised, const Ledger& so_far) {
+  if (!open_) return;
+  if (line_open_) end_line(so_far);
+  if (!prepared_) frames_.back().prepare = so_far.total() - begin_;
+  if (!between_bands_) {
+    line_begin_ = so_far.total();
+    stages_line_begin_ = so_far.stages();
+  }
+  prepared_ = line_open_ = true;
+  between_bands_ = line_given_ = false;
+  line_pixel_ = promised;
+  frames_.back().lines.emplace_back();
+  frames_.back().lines.back().first_pixel = promised - frame_pixel_;
+}
+
+void FrameRecorder::no_line() {
+  if (!line_open_) return;
+  line_open_ = false;
+  between_bands_ = true;
+  frames_.back().lines.pop_back();
+}
+
+void FrameRecorder::end_line(const Ledger& so_far) {
+  FrameRecord::Line& line = frames_.back().lines.back();
+  line.count = so_far.total() - line_begin_;
+  line.stages = difference(so_far.stages(), stages_line_begin_);
+  line_open_ = false;
 }
 
 void FrameRecorder::gave(std::uint64_t pixels, const Ledger& so_far) {
-  const std::uint64_t before = pixels_;
   pixels_ = pixels;
-  if (!open_) return;
-  std::vector<FrameRecord::Line>& lines = frames_.back().lines;
-  const std::uint64_t next_line = first_pixel_ + lines.size() * line_bytes_;
-  if (lines.size() == lines_ || before > next_line || pixels <= next_line) return;
-  lines.push_back(
-      {so_far.total() - line_begin_, difference(so_far.stages(), stages_line_begin_), so_far.total().time(), 0, 0});
-  line_begin_ = so_far.total();
-  stages_line_begin_ = so_far.stages();
+  if (!line_open_ || line_given_ || pixels <= line_pixel_) return;
+  line_given_ = true;
+  frames_.back().lines.back().ready = so_far.total().time() - (so_far.total() - line_begin_).waiting;
 }
 
 void FrameRecorder::waited(std::uint64_t begin, std::uint64_t end) {
@@ -53,9 +68,10 @@ void FrameRecorder::waited(std::uint64_t begin, std::uint64_t end) {
   }
 }
 
-// Pixel bytes by line, and how much of the wire's time the core did not wait for.
+// Pixel bytes by the line that they were promised in, and how much of the wire's time the core did not wait for.
 void FrameRecorder::place_bytes(FrameRecord& frame, const std::vector<DisplayWire::Byte>& wire) {
   std::uint64_t pixels = 0;
+  std::size_t at_line = 0;
   auto wait = waits_.begin();
   for (; placed_ < wire.size(); ++placed_) {
     const DisplayWire::Byte& byte = wire[placed_];
@@ -68,15 +84,18 @@ void FrameRecorder::place_bytes(FrameRecord& frame, const std::vector<DisplayWir
       frame.overlapped -= std::min(at->end, byte.end) - std::max(at->begin, byte.begin);
     }
     if (!byte.pixel) continue;
-    const std::uint64_t line = pixels++ / line_bytes_;
-    if (line >= frame.lines.size()) continue;
-    if ((pixels - 1) % line_bytes_ == 0) frame.lines[line].begin = byte.begin;
-    frame.lines[line].end = byte.end;
+    const std::uint64_t pixel = pixels++;
+    if (frame.lines.empty()) continue;
+    while (at_line + 1 < frame.lines.size() && frame.lines[at_line + 1].first_pixel <= pixel) ++at_line;
+    FrameRecord::Line& line = frame.lines[at_line];
+    if (line.bytes++ == 0) line.begin = byte.begin;
+    line.end = byte.end;
   }
 }
 
 void FrameRecorder::end_frame(const Ledger& so_far, const std::vector<DisplayWire::Byte>& wire) {
   if (!open_) return;
+  if (line_open_) end_line(so_far);
   open_ = false;
   FrameRecord& frame = frames_.back();
   frame.end = so_far.total().time();

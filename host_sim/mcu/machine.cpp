@@ -60,6 +60,8 @@ class Machine {
   void semihost();
   void enter_marks(std::uint32_t address);
   void end_frame();
+  void begin_line();
+  void end_making();
   void watch_stack(std::uint32_t address);
   void end(const std::string& why);
   void fail(const std::string& what);
@@ -85,7 +87,7 @@ class Machine {
   std::deque<Window> windows_;
   std::uint32_t vectors_ = 0;
   std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere, main_ = kNowhere,
-                next_line_ = kNowhere;
+                next_line_ = kNowhere, line_made_ = kNowhere;
   bool counting_ = true, ended_ = false;
   const DecodedCode::Entry* current_ = nullptr;
   std::uint32_t current_address_ = 0, block_end_ = 0;
@@ -127,8 +129,7 @@ void Machine::find_marks() {
       next_line_ = function.address;
     }
   }
-  const std::uint32_t line_bytes = bytes_per_line(board_.screen.format, board_.screen.width);
-  frames_.emplace(board_.screen.height, line_bytes == 0 ? 1 : line_bytes);
+  frames_.emplace();
 }
 
 void Machine::map_registers(std::uint32_t base, std::uint32_t bytes) {
@@ -325,6 +326,17 @@ void Machine::end_frame() {
   frames_->end_frame(ledger_, chip_ ? chip_->wire().bytes() : std::vector<DisplayWire::Byte>{});
 }
 
+void Machine::begin_line() {
+  line_made_ = core_.reg(CoreState::kLr) & ~1u;
+  frames_->begin_line(chip_ ? chip_->pixels_promised() : 0, ledger_);
+}
+
+// Frame::next_line() returns whether there was a line.
+void Machine::end_making() {
+  line_made_ = kNowhere;
+  if ((core_.reg(0) & 0xFF) == 0) frames_->no_line();
+}
+
 void Machine::enter_marks(std::uint32_t address) {
   if (address == until_ && counting_) {
     counting_ = false;
@@ -337,7 +349,8 @@ void Machine::enter_marks(std::uint32_t address) {
   }
   if (address == main_) pools_.clear();
   if (address == frame_begin_) frames_->begin_frame(ledger_);
-  if (address == next_line_) frames_->begin_lines(ledger_);
+  if (address == next_line_) begin_line();
+  if (address == line_made_) end_making();
   if (address == frame_end_) end_frame();
 }
 

@@ -14,6 +14,18 @@ for demo in $("$spanline" demo --list); do
   "$spanline" demo "$demo" --board "$board" --frame 3 --out "$shown.host.ppm"
   cmp "$shown.ppm" "$shown.host.ppm"
   echo "$demo frame 3: as on the host"
+  # Every line of the picture is in the report, and no more bytes are theirs than crossed the wire.
+  height=$(sed -n '2{s/.* //p;q;}' "$shown.ppm")
+  awk -v height="$height" '
+    /^    "bytes":/ { wire = $2 + 0 }
+    after_compute && /^        "bytes":/ { sent += $2 }
+    { after_compute = /^        "compute":/ }
+    after_compute { ++lines; idle += $2 + 0 == 0 }
+    END {
+      if (lines != height || idle != 0 || sent == 0 || sent > wire) {
+        print "FAILED: " lines + 0 " lines, " idle + 0 " without work, " sent + 0 " bytes of " wire + 0; exit 1
+      }
+    }' "$shown.json"
 done
 
 [ "$board" = stm32f429i-disc1 ] && command -v chromium > /dev/null || exit 0

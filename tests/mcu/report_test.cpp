@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "budget/plain_name.hpp"
+#include "mcu/frame_recorder.hpp"
 #include "mcu/ledger.hpp"
 #include "mcu/memory_timing.hpp"
 #include "mcu/stage.hpp"
@@ -45,6 +46,51 @@ TEST(WaitFinder, CountsALoopWithTwoQuestionsOnce) {
     }
   }
   EXPECT_EQ(waited, 94u);
+}
+
+// Two bands of two lines; of the second line nothing is sent, of the third four bytes by DMA while the fourth is made.
+TEST(FrameRecorder, GivesEachLineOfThePictureItsOwn) {
+  Ledger ledger(0);
+  FrameRecorder recorder;
+  const auto work = [&ledger](std::uint64_t cycles) { ledger.charge({}, {1, cycles, 0, 0}); };
+  recorder.begin_frame(ledger);
+  work(5);
+  recorder.begin_line(0, ledger);
+  work(10);
+  recorder.gave(2, ledger);
+  work(1);
+  recorder.begin_line(2, ledger);
+  work(20);
+  recorder.begin_line(2, ledger);
+  work(3);
+  recorder.no_line();
+  work(4);
+  recorder.begin_line(2, ledger);
+  work(30);
+  recorder.gave(3, ledger);
+  recorder.begin_line(6, ledger);
+  work(40);
+  recorder.gave(6, ledger);
+  recorder.end_frame(ledger, {{16, 17, false},
+                              {17, 18, true},
+                              {18, 19, true},
+                              {80, 81, true},
+                              {81, 82, true},
+                              {82, 83, true},
+                              {83, 84, true}});
+
+  const FrameRecord& frame = recorder.frames().front();
+  EXPECT_EQ(frame.prepare.cycles, 5u);
+  EXPECT_EQ(frame.bytes, 7u);
+  ASSERT_EQ(frame.lines.size(), 4u);
+  const std::uint64_t cycles[] = {11, 20, 37, 40}, bytes[] = {2, 0, 4, 0}, ready[] = {15, 0, 73, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(frame.lines[i].count.cycles, cycles[i]) << i;
+    EXPECT_EQ(frame.lines[i].bytes, bytes[i]) << i;
+    EXPECT_EQ(frame.lines[i].ready, ready[i]) << i;
+  }
+  EXPECT_EQ(frame.lines[2].begin, 80u);
+  EXPECT_EQ(frame.lines[2].end, 84u);
 }
 
 TEST(CacheTags, ForgetWhatWasUsedLongestAgo) {
