@@ -21,6 +21,8 @@ struct BrightnessPlane {
   static constexpr int kFraction = 18;
   std::uint32_t at_zero, right, down;  // at column 0 and line 0; a column; a line
   std::uint32_t at(std::uint32_t column, std::uint32_t line) const { return at_zero + right * column + down * line; }
+  // The table's entry, which is one even beyond the triangle: a line that the edge walker gives up may paint there.
+  static constexpr std::uint32_t entry(std::uint32_t brightness) { return brightness >> kFraction & 63u; }
 };
 
 // The plane through three corners; never out of the table inside the triangle.
@@ -33,6 +35,7 @@ struct ColorTable {
   std::uint16_t colors[kEntries];
 };
 static_assert(kFullBrightness >> kBrightnessStep == ColorTable::kEntries - 1);
+static_assert(BrightnessPlane::entry(UINT32_MAX) == ColorTable::kEntries - 1);
 
 // How a face looks that was met lately: its brightness over a material, or one colour.
 struct FaceLook {

@@ -63,7 +63,7 @@ inline void smooth_span(std::uint8_t* line, std::uint32_t left, std::uint32_t ri
   std::uint32_t bright = plane.at(left, y);
   const std::uint32_t step = plane.right;
   const auto next = [&] {
-    const std::uint32_t color = colors[bright >> BrightnessPlane::kFraction];
+    const std::uint32_t color = colors[BrightnessPlane::entry(bright)];
     bright += step;
     return color;
   };

@@ -73,7 +73,7 @@ void Painter::smooth(std::uint32_t left, std::uint32_t right, const BrightnessPl
                      const std::uint16_t* colors) {
   if (screen_.format == PixelFormat::rgb565) return smooth_span(out_, left, right, plane, line_, colors);
   std::uint32_t bright = plane.at(left, line_);
-  for (; left < right; ++left, bright += plane.right) put_grey(left, colors[bright >> BrightnessPlane::kFraction]);
+  for (; left < right; ++left, bright += plane.right) put_grey(left, colors[BrightnessPlane::entry(bright)]);
 }
 
 // Pixels that share a byte are written left to right, the first one clears it.
