@@ -43,6 +43,13 @@ void print_hex(std::uint32_t number) {
   print_digits(number, 16);
 }
 
+void print_pair(const char* key, std::uint32_t value) {
+  print(key);
+  print("=");
+  print(value);
+  print("\n");
+}
+
 void stop(const char* cause, std::uint32_t code, std::uint32_t status, std::uint32_t at) {
   print("fault: ");
   print(cause);

@@ -32,13 +32,6 @@ void start_timer() {
 }
 std::uint32_t ticks() { return UINT32_MAX - timer[kValue]; }
 
-void print_pair(const char* key, std::uint32_t value) {
-  boards::print(key);
-  boards::print("=");
-  boards::print(value);
-  boards::print("\n");
-}
-
 }  // namespace
 }  // namespace spanline::bench
 
@@ -57,12 +50,12 @@ int main() {
   const Status status = windows.solve(Scatter(SPANLINE_GROWTH), kGrowthScreen, count);
   const std::uint32_t taken = ticks();
   const area::WindowCounts& counts = windows.counts();
-  print_pair("pairs", counts.sort.pairs);
-  print_pair("clips", counts.sort.clips);
-  print_pair("windows", counts.windows);
-  print_pair("pieces", count.pieces);
-  print_pair("memory",
-             static_cast<std::uint32_t>(kWindows ? sizeof storage : sizeof storage + sizeof borders + sizeof nodes));
-  print_pair("thousands", static_cast<std::uint32_t>(std::uint64_t{taken} * kInstructionsATick / 1000));
+  boards::print_pair("pairs", counts.sort.pairs);
+  boards::print_pair("clips", counts.sort.clips);
+  boards::print_pair("windows", counts.windows);
+  boards::print_pair("pieces", count.pieces);
+  boards::print_pair(
+      "memory", static_cast<std::uint32_t>(kWindows ? sizeof storage : sizeof storage + sizeof borders + sizeof nodes));
+  boards::print_pair("thousands", static_cast<std::uint32_t>(std::uint64_t{taken} * kInstructionsATick / 1000));
   hal::semihosting::leave(status.ok() ? 0 : 1);
 }

@@ -45,13 +45,6 @@ void draw() {
   outcome = frame.status();
 }
 
-void print_pair(const char* key, std::uint32_t value) {
-  boards::print(key);
-  boards::print("=");
-  boards::print(value);
-  boards::print("\n");
-}
-
 }  // namespace
 }  // namespace spanline::bench
 
@@ -60,11 +53,11 @@ int main() {
   using namespace spanline::bench;
   const std::uint32_t stack = target::stack_used_by(draw<false>);  // the Frame lies on it
   draw<true>();
-  print_pair("memory", sizeof memory);
-  print_pair("lines", sizeof lines);
-  print_pair("stack", stack);
-  print_pair("frame", sizeof(TheFrame));
-  print_pair("checksum", sum);
+  boards::print_pair("memory", sizeof memory);
+  boards::print_pair("lines", sizeof lines);
+  boards::print_pair("stack", stack);
+  boards::print_pair("frame", sizeof(TheFrame));
+  boards::print_pair("checksum", sum);
   boards::print("status=");
   boards::print(outcome.ok() ? "ok" : outcome.where);
   boards::print("\n");
