@@ -23,15 +23,7 @@ void record_span(void* context, const VisibleSpan& span) {
 }
 
 // A pixel with layers has the number and the depth of the nearest.
-void record_layers(void* context, const LayeredSpan& span) {
-  VisibleSpan nearest;
-  nearest.line = span.line;
-  nearest.left = span.left;
-  nearest.right = span.right;
-  nearest.face = span.layers[0].face;
-  nearest.depth = span.depth;
-  record_span(context, nearest);
-}
+void record_layers(void* context, const LayeredSpan& span) { record_span(context, span.nearest()); }
 
 template <FrameOptions kOptions>
 class FrameEngine final : public Engine {

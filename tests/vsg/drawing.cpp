@@ -30,13 +30,7 @@ class Recorder {
   }
 
   void layers(const LayeredSpan& span) {
-    VisibleSpan nearest;
-    nearest.line = span.line;
-    nearest.left = span.left;
-    nearest.right = span.right;
-    nearest.face = span.layers[0].face;
-    nearest.depth = span.depth;
-    show(nearest);
+    show(span.nearest());
     for (int column = span.left; column < span.right; ++column) {
       for (const Layer& layer : span.layers) {
         drawing_.stacks[pixel_index(drawing_, column, line_)].push_back(layer.face);

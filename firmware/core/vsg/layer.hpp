@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/vsg/active_segment.hpp"
+#include "core/vsg/visible_span.hpp"
 
 namespace spanline {
 
@@ -30,6 +31,17 @@ struct LayeredSpan {
   std::uint16_t line, left, right;
   Slice<const Layer> layers;
   DepthRamp depth;  // of the nearest; set only where VsgOptions::taps
+
+  // The nearest layer's face and depth as a span of its own; for taps, its colours are not set.
+  VisibleSpan nearest() const {
+    VisibleSpan span;
+    span.line = line;
+    span.left = left;
+    span.right = right;
+    span.face = layers[0].face;
+    span.depth = depth;
+    return span;
+  }
 };
 
 // The pools for them. looks holds as many as there are polygons; the other two take as many segments as may lie over
