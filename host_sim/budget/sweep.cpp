@@ -44,35 +44,33 @@ std::uint32_t pool_bytes(std::uint32_t capacity) {
   return (capacity + 1) * static_cast<std::uint32_t>(sizeof(Block));
 }
 
-// The blocks hold no pointers: they are as large on a board.
+constexpr std::uint32_t kLayerBytes = 24;  // on a board, where a pointer has four
+
+std::uint32_t layer_bytes(const Budget& b) {
+  if (b.layers == 0) return 0;
+  return pool_bytes<PolygonLook>(b.polygons) + pool_bytes<ActiveSegment>(b.layers) + (b.layers + 1) * kLayerBytes;
+}
+
+// The other blocks hold no pointers: they are as large on a board.
 std::uint32_t bytes_of(const Budget& b) {
   return pool_bytes<WaitingFacet>(b.facets) + pool_bytes<std::uint16_t>(b.height) +
          pool_bytes<ScreenPoint>(b.vertices) + pool_bytes<PolygonBlock>(b.polygons) + pool_bytes<EdgeBlock>(b.edges) +
          pool_bytes<SegmentBlock>(b.segments) + (b.gouraud ? pool_bytes<SegmentShade>(b.segments) : 0) +
          pool_bytes<ActiveSegment>(b.active) + 2 * pool_bytes<std::int16_t>(b.samples) +
-         pool_bytes<ImpliedEdge>(b.implied) + 2 * bytes_per_line(b.format, b.width);
-}
-
-PoolSizes pools_of(const Budget& budget) {
-  PoolSizes pools;
-  pools.facets = budget.facets;
-  pools.vertices = budget.vertices;
-  pools.polygons = budget.polygons;
-  pools.edges = budget.edges;
-  pools.segments = budget.segments;
-  pools.samples = budget.samples;
-  pools.implied = budget.implied;
-  return pools;
+         pool_bytes<ImpliedEdge>(b.implied) + layer_bytes(b) + 2 * bytes_per_line(b.format, b.width);
 }
 
 SweepRow draw_with(CompiledScene& scene, const Budget& budget, unsigned percent, std::int64_t frames) {
   SweepRow row{budget, percent, bytes_of(budget), 0, {}};
   row.work.pixels = std::uint64_t{budget.width} * budget.height;
+  const PoolSizes ample;
   EngineOptions options;
   options.width = budget.width;
   options.height = budget.height;
   options.observe = true;
   options.pools = pools_of(budget);
+  options.pools.curves = ample.curves;  // a fitted budget says nothing of curves
+  options.pools.strands = ample.strands;
   const std::unique_ptr<Engine> engine = Engine::make(options);
   Rendering rendering;
   const std::int64_t step = std::max<std::int64_t>(1, frames / kMostFrames);
@@ -102,7 +100,7 @@ Budget fitted_at(const SceneDescription& scene, Size size, std::int64_t frames) 
 
 Budget with_margin(Budget budget) {
   for (std::uint16_t* pool : {&budget.facets, &budget.vertices, &budget.polygons, &budget.edges, &budget.segments,
-                              &budget.active, &budget.samples, &budget.implied}) {
+                              &budget.active, &budget.samples, &budget.implied, &budget.layers}) {
     *pool = static_cast<std::uint16_t>(std::min<std::uint32_t>(65534, *pool + (*pool * kMarginPercent + 99) / 100));
   }
   return budget;

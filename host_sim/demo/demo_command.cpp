@@ -16,19 +16,6 @@ const demos::Layouts& find_demo(const std::string& name) {
   return *by_name("NAME", demos::kAll, name, [](const demos::Layouts* demo) { return demo->name; });
 }
 
-PoolSizes pools_of(const Budget& budget) {
-  return {.facets = budget.facets,
-          .vertices = budget.vertices,
-          .polygons = budget.polygons,
-          .edges = budget.edges,
-          .segments = budget.segments,
-          .samples = budget.samples,
-          .implied = budget.implied,
-          .patch_facets = budget.patch_facets,
-          .patch_vertices = budget.patch_vertices,
-          .patch_tolerance = budget.patch_tolerance};
-}
-
 void require(bool ok, const Status& status, const std::string& name) {
   if (!ok) throw InputError(name, status_text(status));
 }

@@ -24,6 +24,7 @@ void widen(Budget& budget, const Statistics& need) {
   raise(budget.active, need.max_active);
   raise(budget.samples, need.max_samples);
   raise(budget.implied, need.max_implied);
+  raise(budget.layers, need.max_layers);
   raise(budget.patch_facets, need.max_patch_facets);
   raise(budget.patch_vertices, need.max_patch_vertices);
 }
@@ -135,6 +136,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("active", budget.active);
     field("samples", budget.samples);
     field("implied", budget.implied);
+    field("layers", budget.layers);
     field("patch_facets", budget.patch_facets);
     field("patch_vertices", budget.patch_vertices);
     gouraud();

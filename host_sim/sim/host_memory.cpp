@@ -18,6 +18,24 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   return nullptr;
 }
 
+PoolSizes pools_of(const Budget& budget) {
+  return {.facets = budget.facets,
+          .vertices = budget.vertices,
+          .polygons = budget.polygons,
+          .edges = budget.edges,
+          .segments = budget.segments,
+          .samples = budget.samples,
+          .implied = budget.implied,
+          .layers = budget.layers,
+          .patch_facets = budget.patch_facets,
+          .patch_vertices = budget.patch_vertices,
+          .curves = budget.curves,
+          .strands = budget.strands,
+          .patch_tolerance = budget.patch_tolerance,
+          .active = budget.active,
+          .gouraud = budget.gouraud};
+}
+
 HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes)
     : screen_(screen),
       facets_(sizes.facets),
@@ -26,8 +44,8 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       polygons_(sizes.polygons),
       edges_(sizes.edges),
       segments_(sizes.segments),
-      shades_(sizes.segments),
-      active_(sizes.segments),
+      shades_(sizes.gouraud ? sizes.segments : std::uint16_t{0}),
+      active_(sizes.active != 0 ? sizes.active : sizes.segments),
       samples_{Blocks<std::int16_t>(sizes.samples), Blocks<std::int16_t>(sizes.samples)},
       implied_(sizes.implied),
       polygon_looks_(sizes.polygons),
@@ -35,7 +53,7 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       stack_(sizes.layers),
       patch_facets_(sizes.patch_facets),
       patch_vertices_(sizes.patch_vertices),
-      patch_normals_(sizes.patch_vertices),
+      patch_normals_(sizes.gouraud ? sizes.patch_vertices : std::uint16_t{0}),
       patch_tolerance_(sizes.patch_tolerance),
       points_(sizes.vertices),
       links_(sizes.vertices),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/frame/budget.hpp"
 #include "core/frame/scan_out.hpp"
 #include "core/frame/storage.hpp"
 
@@ -14,10 +15,15 @@ struct PoolSizes {
                 implied = 32767, layers = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices,
                 curves = 65535, strands = 4096;
   std::uint16_t patch_tolerance = 8;  // 1/16 px
+  std::uint16_t active = 0;           // as Budget has it
+  bool gouraud = true;                // likewise
 
   // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
   std::uint16_t* find(const std::string& pool);
 };
+
+// What FrameMemory<budget> has, so that the picture is that of a board, too.
+PoolSizes pools_of(const Budget& budget);
 
 class HostMemory {
  public:

@@ -21,11 +21,6 @@ Rendering render_in(const CompiledScene& scene, const PoolSizes& pools) {
   return rendering;
 }
 
-PoolSizes pools_of(const Budget& budget) {
-  return {budget.facets,   budget.vertices, budget.polygons, budget.edges,
-          budget.segments, budget.samples,  budget.implied};
-}
-
 TEST(FittedBudget, DrawsTheFrameInOneBandAndDropsNoHint) {
   CompiledScene scene = teapot();
   const Budget budget = fitted_budget(scene, 0, 0);
@@ -49,6 +44,17 @@ TEST(FittedBudget, IsTheLeast) {
   EXPECT_GT(render_in(scene, fewer_facets).statistics.bands, 1u);
   EXPECT_EQ(render_in(scene, fewer_segments).status.code, Code::pool_exhausted);
   EXPECT_GT(render_in(scene, fewer_samples).statistics.samples_dropped, 0u);
+}
+
+TEST(FittedBudget, HasRoomForLayers) {
+  CompiledScene scene = compile(read_scene(std::string(SPANLINE_ASSETS) + "/demos/panes.json"));
+  const Budget budget = fitted_budget(scene, 0, 0);
+  EXPECT_GT(budget.layers, 0);
+  const Rendering ample = render_in(scene, {}), fitted = render_in(scene, pools_of(budget));
+  EXPECT_TRUE(fitted.status.ok());
+  EXPECT_EQ(fitted.picture.rgb, ample.picture.rgb);
+  EXPECT_NE(emit_budget(budget, "panes", "frame 0").find(".layers = " + std::to_string(budget.layers)),
+            std::string::npos);
 }
 
 TEST(FittedBudget, CoversEveryFrameThatIsAskedFor) {
