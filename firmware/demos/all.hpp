@@ -4,11 +4,12 @@
 #include "demos/gauges.hpp"
 #include "demos/gears.hpp"
 #include "demos/patches.hpp"
+#include "demos/still_life.hpp"
 #include "demos/teapot.hpp"
 
 namespace spanline::demos {
 
 // Every demo, in the order in which they are listed.
-inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges, &patches};
+inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges, &patches, &dice, &house, &panes};
 
 }  // namespace spanline::demos

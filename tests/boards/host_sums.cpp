@@ -21,7 +21,8 @@ constexpr Budget kAmple{.width = 320,
                         .samples = 256,
                         .implied = 64,
                         .patch_facets = 4096,
-                        .patch_vertices = 6144};
+                        .patch_vertices = 6144,
+                        .layers = 64};
 FrameMemory<kAmple> memory;
 
 std::uint32_t sum(std::uint32_t from, Slice<const std::uint8_t> bytes) {
@@ -31,10 +32,12 @@ std::uint32_t sum(std::uint32_t from, Slice<const std::uint8_t> bytes) {
 
 constexpr std::uint32_t kBasis = 2166136261u;
 
-Status draw(demos::Stage& stage, const Screen& screen, std::uint32_t number, bool lines) {
+template <FrameOptions kOptions>
+Status draw(demos::Stage& stage, const demos::Demo& demo, const Screen& screen, std::uint32_t number, bool lines) {
   FrameStorage storage = memory.storage();
   storage.screen = screen;
-  Frame<FrameOptions{.patches = true}> frame(storage);
+  if (!demo.budget.gouraud) storage.vsg.shades.limit(0);
+  Frame<kOptions> frame(storage);
   stage.show(number);
   std::uint32_t whole = kBasis;
   std::vector<std::uint32_t> words((frame.line_bytes() + 3) / 4);
@@ -59,9 +62,11 @@ int run(const std::string& name, const std::string& board, std::uint32_t last) {
   for (const demos::Layouts* layouts : demos::kAll) {
     const demos::Demo& demo = layouts->framed_for(screen);
     if (name != demo.name) continue;
+    constexpr FrameOptions kPatches{.patches = true}, kLayers{.layers = true};
+    const auto draw_demo = demo.budget.layers != 0 ? draw<kLayers> : draw<kPatches>;
     Status status = stage.begin(demo, screen);
     for (std::uint32_t number = 0; status.ok() && number <= last; ++number)
-      status = draw(stage, screen, number, number == last);
+      status = draw_demo(stage, demo, screen, number, number == last);
     if (!status.ok()) std::fprintf(stderr, "%s: %s\n", status.where, status.field);
     return status.ok() ? 0 : 1;
   }

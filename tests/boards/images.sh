@@ -12,7 +12,7 @@ build=$(cd "$2" && pwd)/$5
 tools=$3
 sums=$4
 board=$5
-demos="teapot cubes gears gauges patches"
+demos="teapot cubes gears gauges patches dice house panes"
 [ "$board" = template ] && known=pico || known=$board  # to the host tool: the template is a Pico's
 
 quiet() { "$@" > "$build.log" 2>&1 || { cat "$build.log"; exit 1; }; }

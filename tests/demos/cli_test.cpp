@@ -4,7 +4,9 @@
 #include <set>
 
 #include "assetc/text_file.hpp"
+#include "core/frame/frame_impl.hpp"
 #include "demo/boards.hpp"
+#include "demos/all.hpp"
 #include "host/support.hpp"
 #include "panel/panel_run.hpp"
 #include "sim/picture.hpp"
@@ -15,7 +17,7 @@ namespace {
 TEST(DemoVerb, ListsBareNames) {
   const ToolRun run = run_tool({"demo", "--list"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\n");
+  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\ndice\nhouse\npanes\n");
 }
 
 TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
@@ -23,7 +25,8 @@ TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
   const std::string out = folder.file("a.png");
   const ToolRun demo = run_tool({"demo", "kettle", "--board", "pico", "--out", out});
   EXPECT_EQ(demo.exit_code, 2);
-  EXPECT_EQ(demo.err, "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches\n");
+  EXPECT_EQ(demo.err,
+            "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches, dice, house, panes\n");
   const ToolRun board = run_tool({"demo", "teapot", "--board", "pica", "--out", out});
   EXPECT_EQ(board.exit_code, 2);
   EXPECT_NE(board.err.find("'pica' is none of ek-lm3s6965, stm32f429i-disc1, nucleo-f411re, pico"), std::string::npos);
@@ -66,7 +69,7 @@ TEST(DemoVerb, GoesThroughAnyPanelTurnedAnyWay) {
   const TemporaryFolder folder;
   const std::string out = folder.file("a.ppm");
   for (const std::string& panel : panel_names()) {
-    for (const char* demo : {"teapot", "cubes", "gears", "gauges", "patches"}) {
+    for (const char* demo : {"teapot", "cubes", "gears", "gauges", "patches", "dice", "house", "panes"}) {
       const ToolRun run = run_tool({"demo", demo, "--panel", panel, "--rotation", "2", "--frame", "3", "--out", out});
       EXPECT_EQ(run.exit_code, 0) << panel << " " << demo << ": " << run.err;
     }
@@ -78,6 +81,54 @@ TEST(DemoVerb, GoesThroughAnyPanelTurnedAnyWay) {
   EXPECT_EQ(read_file(out), read_file(folder.file("b.ppm")));
   EXPECT_EQ(run_tool({"demo", "gears", "--panel", "ssd1306", "--rotation", "1", "--out", out}).exit_code, 2);
   EXPECT_EQ(run_tool({"demo", "gears", "--panel", "st7789", "--board", "pico", "--out", out}).exit_code, 2);
+}
+
+// What an image for that screen draws, in no more than the demo's own budget.
+template <const demos::Layouts& kLayouts>
+std::vector<std::uint8_t> in_a_boards_pools(std::uint32_t frame_number) {
+  constexpr Screen kScreen{128, 64, PixelFormat::grey4};
+  constexpr demos::Demo kDemo = kLayouts.framed_for(kScreen);
+  constexpr Budget kBudget = demos::budget_for(kDemo, kScreen);
+  static FrameMemory<kBudget> memory;
+  static demos::Stage stage;
+  EXPECT_TRUE(stage.begin(kDemo, kScreen).ok());
+  stage.show(frame_number);
+  Frame<options_for(kBudget)> frame(memory.storage());
+  Picture picture(kScreen.width, kScreen.height);
+  alignas(4) std::uint8_t wire[kScreen.width / 2];
+  std::uint16_t line = 0;
+  for (Band rest{0, kScreen.height}; !rest.empty();) {
+    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
+    if (band.empty()) break;
+    while (frame.next_line(wire)) {
+      decode_line(kScreen.format, wire, kScreen.width, picture.rgb.data() + std::size_t{3} * kScreen.width * line++);
+    }
+    rest.top = band.bottom;
+  }
+  EXPECT_TRUE(frame.status().ok());
+  return picture.rgb;
+}
+
+TEST(DemoVerb, ShowsWhatTheBoardDoesInEveryPixel) {
+  const auto check = [](const std::string& name, const std::vector<std::uint8_t>& expected) {
+    const TemporaryFolder folder;
+    const std::string out = folder.file("a.ppm");
+    const ToolRun run = run_tool({"demo", name, "--board", "ek-lm3s6965", "--frame", "5", "--out", out});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::string ppm = read_file(out);
+    ASSERT_GE(ppm.size(), expected.size());
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), ppm.end() - static_cast<std::ptrdiff_t>(expected.size()),
+                           [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }))
+        << name;
+  };
+  check("teapot", in_a_boards_pools<demos::teapot>(5));
+  check("cubes", in_a_boards_pools<demos::cubes>(5));
+  check("gears", in_a_boards_pools<demos::gears>(5));
+  check("gauges", in_a_boards_pools<demos::gauges>(5));
+  check("patches", in_a_boards_pools<demos::patches>(5));
+  check("dice", in_a_boards_pools<demos::dice>(5));
+  check("house", in_a_boards_pools<demos::house>(5));
+  check("panes", in_a_boards_pools<demos::panes>(5));
 }
 
 TEST(DemoVerb, KnowsEveryBoardOfTheFirmware) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kSquare{240, 240, PixelFormat::rgb565},
     kTall{240, 320, PixelFormat::rgb565}, kSmall{128, 64, PixelFormat::grey4};
-constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180};  // frames after which each of kAll repeats
+// frames after which each of kAll repeats
+constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180, 240, 240, 240};
 
 // Where anything but background was seen.
 struct Extent {
@@ -27,15 +28,18 @@ struct Extent {
     extent.top = std::min<std::uint32_t>(extent.top, span.line);
     extent.bottom = std::max<std::uint32_t>(extent.bottom, span.line + 1u);
   }
+  static void note_layers(void* context, const LayeredSpan& layers) { note(context, layers.nearest()); }
 };
 
 template <const Layouts& kDemo, Screen kScreen>
 void check_every_frame(std::uint32_t loop) {
   constexpr Demo kFramed = kDemo.framed_for(kScreen);
   static FrameMemory<budget_for(kFramed, kScreen)> memory;
-  Frame<FrameOptions{.statistics = true, .taps = true, .patches = true}> frame(memory.storage());
+  constexpr FrameOptions kOptions{
+      .statistics = true, .taps = true, .patches = true, .layers = kFramed.budget.layers != 0};
+  Frame<kOptions> frame(memory.storage());
   Extent extent;
-  frame.set_tap({&extent, Extent::note});
+  frame.set_tap({&extent, Extent::note, Extent::note_layers});
   Stage stage;
   ASSERT_TRUE(stage.begin(kFramed, kScreen).ok());
   alignas(4) static std::uint8_t line[640];
@@ -76,6 +80,9 @@ TEST(Demos, EveryFrameFitsItsPoolsAndThePicture) {
   check_every_screen<gears>(kLoops[2]);
   check_every_screen<gauges>(kLoops[3]);
   check_every_screen<patches>(kLoops[4]);
+  check_every_screen<dice>(kLoops[5]);
+  check_every_screen<house>(kLoops[6]);
+  check_every_screen<panes>(kLoops[7]);
 }
 
 std::vector<std::uint8_t> state(const Stage& stage) {

@@ -38,6 +38,10 @@ inline constexpr Picture kPictures[] = {
     {"gauges-wide-60", demos::gauges, 60, kWide, 0x98c4a1c3},
     {"gauges-tall-3000000", demos::gauges, 3000000, kTall, 0x7503777f},
     {"gauges-oled-120", demos::gauges, 120, kOled, 0xc50d227d},
+    {"dice-oled-60", demos::dice, 60, kOled, 0xe21bbfcd},
+    {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
+    {"panes-wide-30", demos::panes, 30, kWide, 0xf96b1d5f},
+    {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
 };
 
 // Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.
@@ -48,8 +52,25 @@ inline constexpr Budget kBudget{.width = 320,
                                 .polygons = 80,
                                 .edges = 320,
                                 .segments = 80,
-                                .active = 24};
+                                .active = 24,
+                                .layers = 24};
 inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
+
+// Draws what is on the stage in one way.
+template <FrameOptions kOptions>
+Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
+                  std::uint32_t& crc) {
+  Frame<kOptions> frame(storage);
+  Crc32 sum;
+  for (Band rest{0, storage.screen.height}; !rest.empty();) {
+    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
+    if (band.empty()) break;
+    while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
+    rest.top = band.bottom;
+  }
+  crc = sum.value();
+  return frame.status();
+}
 
 // Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of
 // all lines. Fails with the status of the stage or of the frame.
@@ -59,16 +80,9 @@ inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& s
   if (!status.ok()) return status;
   stage.show(picture.frame);
   storage.screen = picture.screen;
-  Frame<> frame(storage);
-  Crc32 sum;
-  for (Band rest{0, picture.screen.height}; !rest.empty();) {
-    const Band band = frame.prepare(stage.view(), stage.camera(), rest);
-    if (band.empty()) break;
-    while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
-    rest.top = band.bottom;
-  }
-  crc = sum.value();
-  return frame.status();
+  constexpr FrameOptions kLayers{.layers = true};
+  return stage.view().layered() ? draw_stage<kLayers>(storage, stage, line, crc)
+                                : draw_stage<FrameOptions{}>(storage, stage, line, crc);
 }
 
 }  // namespace spanline::golden

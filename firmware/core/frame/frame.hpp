@@ -9,9 +9,9 @@ namespace spanline {
 
 using FrameOptions = VsgOptions;
 
-// The options that go with a budget: its walker, and patches where there is room for them.
+// The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
-  return {.patches = budget.patch_facets != 0, .walker = budget.walker};
+  return {.patches = budget.patch_facets != 0, .layers = budget.layers != 0, .walker = budget.walker};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>
