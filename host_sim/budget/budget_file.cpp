@@ -43,7 +43,7 @@ std::map<std::string, Quantity> quantities(const BudgetReport& budget) {
     }
   }
   if (!budget.frames) return all;
-  const bool timed = has_cycle_model(budget.board->core);
+  const bool timed = budget.run.timed;
   Quantity& time = all[timed ? "cycles" : "instructions"];
   const FrameRecord& worst = budget.run.frames[budget.frames->worst_frame];
   time.amount = timed ? worst.count.busy() : worst.count.instructions;

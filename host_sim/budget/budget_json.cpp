@@ -119,7 +119,7 @@ Json stack_json(const BudgetReport& budget) {
 }  // namespace
 
 std::string budget_json(const BudgetReport& budget) {
-  const bool timed = has_cycle_model(budget.board->core);
+  const bool timed = budget.run.timed;
   const std::string& path = budget.image->path();
   Json json = {{"image", path.substr(path.find_last_of('/') + 1)},
                {"board", budget.board->name},

@@ -31,7 +31,7 @@ std::string function_name(const Image& image, std::size_t index) {
 
 void write_run(std::ostream& out, const BudgetReport& budget) {
   const RunReport& run = budget.run;
-  const bool timed = has_cycle_model(budget.board->core);
+  const bool timed = budget.run.timed;
   out << "run: " << run.end << "\n  " << run.total.instructions << " instructions";
   if (timed) {
     out << ", " << run.total.cycles << " core cycles at zero wait states";
@@ -39,7 +39,9 @@ void write_run(std::ostream& out, const BudgetReport& budget) {
     if (run.total.waiting != 0) out << "; " << run.total.waiting << " of both in loops that wait";
     out << "\n";
   } else {
-    out << "; no cycle table for a " << name(budget.board->core) << "\n";
+    out << (has_cycle_model(budget.board->core) ? "; time as an emulator's, no cycles"
+                                                : std::string("; no cycle table for a ") + name(budget.board->core))
+        << "\n";
   }
   if (run.unknown != 0) out << "  " << run.unknown << " of them unknown to the decoder, taken as one cycle each\n";
   if (run.passages.size() > 1 && !budget.frames) {

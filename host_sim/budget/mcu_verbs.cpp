@@ -35,6 +35,9 @@ struct RunArguments {
     verb.add_option("--frames", frames,
                     "end after so many frames: passages from --from to --until, or what our own images are asked for; "
                     "1 unless told");
+    verb.add_flag("--icount", options.as_emulator,
+                  "time as QEMU's -icount shift=0 has it, to compare with it: an instruction takes a nanosecond, the "
+                  "wire nothing; no cycles are counted");
     verb.add_option("--limit", limit, "give up after so many instructions; 4000000000 unless told");
   }
 

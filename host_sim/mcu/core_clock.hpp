@@ -16,6 +16,8 @@ class CoreClock {
     kilohertz_ = kilohertz;
   }
   std::uint64_t ns_at(std::uint64_t cycle) const { return ns_ + (cycle - since_) * 1'000'000 / kilohertz_; }
+  // The last cycle that has begun at `ns`, which is not before the clock's last change.
+  std::uint64_t cycle_at(std::uint64_t ns) const { return since_ + (ns - ns_) * kilohertz_ / 1'000'000; }
 
  private:
   std::uint32_t kilohertz_;

@@ -3,56 +3,52 @@
 #include <unicorn/unicorn.h>
 
 #include <algorithm>
-#include <deque>
 #include <optional>
 #include <set>
 
 #include "assetc/input_error.hpp"
 #include "mcu/chip.hpp"
+#include "mcu/core_hooks.hpp"
 #include "mcu/core_state.hpp"
 #include "mcu/cycle_model.hpp"
 #include "mcu/decoded_code.hpp"
 #include "mcu/ledger.hpp"
+#include "mcu/marks.hpp"
+#include "mcu/memory_map.hpp"
 #include "mcu/pool_watch.hpp"
 #include "mcu/semihosting.hpp"
+#include "mcu/stack_watch.hpp"
 #include "mcu/system_registers.hpp"
 
 namespace spanline::host {
 namespace {
 
 constexpr std::uint16_t kSemihosting = 0xBEAB;
-constexpr std::uint32_t kNowhere = 1;  // odd: no instruction lies there
 constexpr std::uint64_t kNeverReached = 0xFFFF'FFFE;
-constexpr std::uint32_t kPage = 0x1000;
+constexpr std::uint32_t kFarJump = 0x1000;  // bytes ahead: no branch within a function
 
 // Of QEMU's target/arm/cpu.h.
 enum Exception : std::uint32_t { kUndefined = 1, kSupervisorCall = 2, kBreakpoint = 7, kExceptionReturn = 8 };
 
-class Machine {
+// Executes, keeps the time, and tells everybody else what happened when.
+class Machine final : private RegisterAccess {
  public:
   Machine(const Image& image, const BoardDescription& board, const RunOptions& options);
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
+  ~Machine() = default;
   RunReport run();
 
  private:
-  // A range of registers that the core sees.
-  struct Window {
-    Machine* machine;
-    std::uint32_t base;
-  };
+  friend CoreHooks<Machine>;
 
-  void map_memory();
-  void map_registers(std::uint32_t base, std::uint32_t bytes);
-  void add_hooks();
-  void find_marks();
   StartState reset();
   const DecodedCode::Entry& decoded(std::uint32_t address);
   void on_code(std::uint32_t address);
   void on_access(bool write, std::uint32_t address, std::uint32_t size);
   void on_interrupt(std::uint32_t number);
-  std::uint32_t read_register(std::uint32_t address, unsigned size);
-  void write_register(std::uint32_t address, unsigned size, std::uint32_t value);
+  std::uint32_t read_register(std::uint32_t address, unsigned size) override;
+  void write_register(std::uint32_t address, unsigned size, std::uint32_t value) override;
   Peripheral* device_at(std::uint32_t address, unsigned size, const char* verb);
   void settle(std::uint32_t next, std::uint8_t next_size);
   bool serve_events(std::uint32_t address);
@@ -66,16 +62,24 @@ class Machine {
   void end(const std::string& why);
   void fail(const std::string& what);
   void fill_report(const StartState& start);
-  std::uint64_t now() const { return model_ ? ledger_.total().time() : ledger_.total().instructions; }
+  // Cycles since reset.
+  std::uint64_t now() const {
+    if (options_.as_emulator) return clock_.cycle_at(ledger_.total().instructions);
+    return model_ ? ledger_.total().time() : ledger_.total().instructions;
+  }
   std::string place(std::uint32_t address) const { return hex(address) + " in " + image_.name_at(address); }
 
   const Image& image_;
   const BoardDescription& board_;
   const RunOptions& options_;
+  const Marks marks_;
   CoreState core_;
+  MemoryMap map_{core_, *this};
   std::unique_ptr<Chip> chip_;
   MemoryTiming no_timing_;
   MemoryTiming& timing_;
+  CoreClock fixed_clock_;
+  const CoreClock& clock_;
   std::optional<CycleModel> model_;
   SystemRegisters system_;
   DebugInfo debug_;
@@ -83,19 +87,17 @@ class Machine {
   PoolWatch pools_;
   Ledger ledger_;
   WaitFinder waits_;
+  StackWatch stack_;
   std::optional<FrameRecorder> frames_;
-  std::deque<Window> windows_;
   std::uint32_t vectors_ = 0;
-  std::uint32_t from_ = kNowhere, until_ = kNowhere, frame_begin_ = kNowhere, frame_end_ = kNowhere, main_ = kNowhere,
-                next_line_ = kNowhere, line_made_ = kNowhere;
-  bool counting_ = true, ended_ = false;
+  std::uint32_t line_made_ = Marks::kNowhere;
+  bool counting_, ended_ = false;
   const DecodedCode::Entry* current_ = nullptr;
   std::uint32_t current_address_ = 0, block_end_ = 0;
   std::uint64_t next_event_ = 0;
   unsigned stall_ = 0;
   Execution how_;
   bool sp_changed_ = true;
-  std::uint32_t lowest_sp_ = 0, deepest_at_ = 0, deepest_node_ = 0;
   std::string failure_;
   RunReport report_;
 };
@@ -104,101 +106,27 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
     : image_(image),
       board_(board),
       options_(options),
+      marks_(find_marks(image, options)),
       chip_(make_chip(board, [this](std::uint32_t address) { return core_.byte(address); })),
-      timing_(chip_ ? chip_->memory() : no_timing_),
+      timing_(chip_ && !options.as_emulator ? chip_->memory() : no_timing_),
+      fixed_clock_(board.kilohertz),
+      clock_(chip_ ? chip_->clock() : fixed_clock_),
       debug_(image.path()),
       code_(image, debug_, board.core),
       pools_(image, debug_),
-      ledger_(image.functions().size()) {
-  if (has_cycle_model(board.core)) model_.emplace(board.core);
-  counting_ = options.from.empty();
-  find_marks();
-  map_memory();
-  add_hooks();
-}
-
-void Machine::find_marks() {
-  if (!options_.from.empty()) from_ = image_.address_of(options_.from) & ~1u;
-  if (!options_.until.empty()) until_ = image_.address_of(options_.until) & ~1u;
-  if (image_.defines("main")) main_ = image_.address_of("main") & ~1u;
-  if (!image_.defines(kFrameBeginMark) || !image_.defines(kFrameEndMark)) return;
-  frame_begin_ = image_.address_of(kFrameBeginMark) & ~1u;
-  frame_end_ = image_.address_of(kFrameEndMark) & ~1u;
-  for (const Image::Symbol& function : image_.functions()) {
-    if (function.name.find("Frame<") != std::string::npos && function.name.find("::next_line(") != std::string::npos) {
-      next_line_ = function.address;
-    }
-  }
-  frames_.emplace();
-}
-
-void Machine::map_registers(std::uint32_t base, std::uint32_t bytes) {
-  const auto read = [](uc_engine*, std::uint64_t offset, unsigned size, void* data) -> std::uint64_t {
-    const Window& window = *static_cast<const Window*>(data);
-    return window.machine->read_register(window.base + static_cast<std::uint32_t>(offset), size);
-  };
-  const auto write = [](uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* data) {
-    const Window& window = *static_cast<const Window*>(data);
-    window.machine->write_register(window.base + static_cast<std::uint32_t>(offset), size,
-                                   static_cast<std::uint32_t>(value));
-  };
-  windows_.push_back({this, base});
-  uc_mmio_map(core_.engine(), base, bytes, read, &windows_.back(), write, &windows_.back());
-}
-
-void Machine::map_memory() {
-  for (const BoardDescription::Memory& memory : board_.memories) {
-    const std::uint32_t rights = memory.flash ? UC_PROT_READ | UC_PROT_EXEC : UC_PROT_ALL;
-    uc_mem_map(core_.engine(), memory.base, memory.size, rights);
-  }
-  for (const Image::Segment& segment : image_.segments()) {
-    core_.write(segment.load_address, static_cast<std::uint32_t>(segment.bytes.size()), segment.bytes.data());
-  }
-  map_registers(SystemRegisters::kBase, SystemRegisters::kBytes);
-  if (!chip_) return;
+      ledger_(image.functions().size()),
+      counting_(options.from.empty()) {
+  if (has_cycle_model(board.core) && !options.as_emulator) model_.emplace(board.core);
+  if (chip_ && options.as_emulator) chip_->send_in_no_time();
+  if (marks_.frame_begin != Marks::kNowhere) frames_.emplace();
+  map_.map_memories(board, image);
+  map_.map_registers(SystemRegisters::kBase, SystemRegisters::kBytes);
   std::set<std::uint32_t> pages;
-  for (const std::unique_ptr<Peripheral>& peripheral : chip_->peripherals()) {
-    pages.insert(peripheral->base() / kPage);
+  if (chip_) {
+    for (const auto& peripheral : chip_->peripherals()) pages.insert(peripheral->base() / MemoryMap::kPage);
   }
-  for (const std::uint32_t page : pages) map_registers(page * kPage, kPage);
-}
-
-void Machine::add_hooks() {
-  using OnCode = void (*)(uc_engine*, std::uint64_t, std::uint32_t, void*);
-  using OnAccess = void (*)(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
-  using OnMissing = bool (*)(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
-  using OnInterrupt = void (*)(uc_engine*, std::uint32_t, void*);
-  const OnCode code = [](uc_engine*, std::uint64_t address, std::uint32_t, void* self) {
-    static_cast<Machine*>(self)->on_code(static_cast<std::uint32_t>(address));
-  };
-  const OnAccess access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t, void* self) {
-    static_cast<Machine*>(self)->on_access(type == UC_MEM_WRITE, static_cast<std::uint32_t>(address),
-                                           static_cast<std::uint32_t>(size));
-  };
-  const OnMissing missing = [](uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* self) {
-    const bool write = type == UC_MEM_WRITE_UNMAPPED || type == UC_MEM_WRITE_PROT;
-    const bool fetch = type == UC_MEM_FETCH_UNMAPPED || type == UC_MEM_FETCH_PROT;
-    const bool flash = type == UC_MEM_WRITE_PROT;
-    static_cast<Machine*>(self)->fail(std::string(write   ? "writes "
-                                                  : fetch ? "executes "
-                                                          : "reads ") +
-                                      hex(static_cast<std::uint32_t>(address)) +
-                                      (flash ? ", which is flash" : ", where nothing is modelled"));
-    return false;
-  };
-  const OnInterrupt interrupt = [](uc_engine*, std::uint32_t number, void* self) {
-    static_cast<Machine*>(self)->on_interrupt(number);
-  };
-  // The library takes any function pointer as void*; a hook of an empty range concerns all addresses.
-  uc_hook hook = 0;
-  const auto add = [&](int type, auto callback) {
-    uc_hook_add(core_.engine(), &hook, type, reinterpret_cast<void*>(callback), this, std::uint64_t{1},
-                std::uint64_t{0});
-  };
-  add(UC_HOOK_CODE, code);
-  add(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, access);
-  add(UC_HOOK_MEM_INVALID, missing);
-  add(UC_HOOK_INTR, interrupt);
+  for (const std::uint32_t page : pages) map_.map_registers(page * MemoryMap::kPage, MemoryMap::kPage);
+  CoreHooks<Machine>::add(core_.engine(), this);
 }
 
 void Machine::end(const std::string& why) {
@@ -306,7 +234,7 @@ void Machine::settle(std::uint32_t next, std::uint8_t next_size) {
   if (how_.taken) {
     if (insn.links) {
       ledger_.calls().call(expected);
-    } else if (!insn.direct || next < expected || next - expected > kPage) {
+    } else if (!insn.direct || next < expected || next - expected > kFarJump) {
       ledger_.calls().jump(next);
     }
   }
@@ -315,10 +243,7 @@ void Machine::settle(std::uint32_t next, std::uint8_t next_size) {
 
 void Machine::watch_stack(std::uint32_t address) {
   const std::uint32_t sp = core_.reg(CoreState::kSp);
-  if (sp >= lowest_sp_) return;
-  lowest_sp_ = sp;
-  deepest_at_ = address;
-  deepest_node_ = ledger_.calls().node();
+  if (stack_.deeper(sp)) stack_.reach(sp, address, ledger_.calls().node());
 }
 
 void Machine::end_frame() {
@@ -333,25 +258,25 @@ void Machine::begin_line() {
 
 // Frame::next_line() returns whether there was a line.
 void Machine::end_making() {
-  line_made_ = kNowhere;
+  line_made_ = Marks::kNowhere;
   if ((core_.reg(0) & 0xFF) == 0) frames_->no_line();
 }
 
 void Machine::enter_marks(std::uint32_t address) {
-  if (address == until_ && counting_) {
+  if (address == marks_.until && counting_) {
     counting_ = false;
     ledger_.end();
     if (options_.from.empty() || ledger_.passages().size() == options_.passages) end("reached " + options_.until);
   }
-  if (address == from_ && !counting_ && !ended_) {
+  if (address == marks_.from && !counting_ && !ended_) {
     counting_ = true;
     ledger_.begin();
   }
-  if (address == main_) pools_.clear();
-  if (address == frame_begin_) frames_->begin_frame(ledger_);
-  if (address == next_line_) begin_line();
+  if (address == marks_.main) pools_.clear();
+  if (address == marks_.frame_begin) frames_->begin_frame(ledger_);
+  if (address == marks_.next_line) begin_line();
   if (address == line_made_) end_making();
-  if (address == frame_end_) end_frame();
+  if (address == marks_.frame_end) end_frame();
 }
 
 void Machine::on_code(std::uint32_t address) {
@@ -408,7 +333,7 @@ void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
 
 void Machine::semihost() {
   const std::uint32_t operation = core_.reg(0);
-  const std::uint64_t microseconds = chip_ ? chip_->clock().ns_at(now()) / 1000 : now() * 1000 / board_.kilohertz;
+  const std::uint64_t microseconds = clock_.ns_at(now()) / 1000;
   const SemihostingAnswer answer = answer_semihosting(
       operation, core_.reg(1), [this](std::uint32_t address) { return core_.byte(address); }, microseconds,
       report_.output);
@@ -454,16 +379,17 @@ StartState Machine::reset() {
 }
 
 void Machine::fill_report(const StartState& start) {
+  report_.timed = model_.has_value();
   report_.passages = ledger_.passages();
   report_.functions = ledger_.functions();
   for (const Count& passage : report_.passages) report_.total += passage;
   report_.initial_sp = start.sp;
-  report_.stack_reached = start.sp - lowest_sp_;
-  report_.stack_deepest = image_.name_at(deepest_at_);
+  report_.stack_reached = start.sp - stack_.lowest();
+  report_.stack_deepest = image_.name_at(stack_.deepest_at());
   report_.calls = ledger_.calls();
   report_.places = code_.places().all();
   report_.pools = pools_.pools();
-  for (const std::uint32_t frame : report_.calls.callers_of(deepest_node_)) {
+  for (const std::uint32_t frame : report_.calls.callers_of(stack_.deepest_node())) {
     report_.stack_path.push_back(report_.places[frame].name);
   }
   for (std::size_t i = 0; i < image_.functions().size(); ++i) {
@@ -480,14 +406,14 @@ void Machine::fill_report(const StartState& start) {
 RunReport Machine::run() {
   const StartState start = reset();
   for (const auto& [address, value] : options_.words) core_.write(address, sizeof value, &value);
-  lowest_sp_ = start.sp;
-  deepest_at_ = current_address_ = start.pc;
+  stack_.begin(start.sp, start.pc);
+  current_address_ = start.pc;
   plan_events();
   const uc_err error = uc_emu_start(core_.engine(), start.pc | 1, kNeverReached, 0, 0);
   if (failure_.empty() && !ended_) fail(std::string("stops: ") + uc_strerror(error));
   if (!failure_.empty()) throw InputError(image_.path(), failure_);
   settle(current_address_, 2);
-  if (until_ == kNowhere && counting_) ledger_.end();
+  if (options_.until.empty() && counting_) ledger_.end();
   if (ledger_.passages().empty()) {
     throw InputError(image_.path(), "does not reach " +
                                         (options_.until.empty() || !counting_ ? options_.from : options_.until) + ": " +

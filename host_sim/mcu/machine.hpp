@@ -29,6 +29,8 @@ struct RunOptions {
   unsigned passages = 1;  // from `from` to `until` so often, then the run ends
   std::uint64_t limit = 4'000'000'000;                         // instructions, then the run is given up
   std::vector<std::pair<std::uint32_t, std::uint32_t>> words;  // address, value: written into RAM before the reset
+  bool as_emulator =
+      false;  // time as QEMU's -icount shift=0: a nanosecond an instruction, nothing on the wire; no cycles
 };
 
 // The panel at the end of the run.
@@ -43,6 +45,7 @@ struct RunReport {
   std::string end;               // why it ended: "exit 0", "reached frame_end_mark", "BKPT in main", …
   std::uint32_t exit_code = 0;   // of the image
   std::string output;            // what it said by semihosting
+  bool timed = false;            // cycles were counted, not instructions only
   Count total;                   // of what was counted
   std::vector<Count> passages;   // each from `from` to `until`
   std::vector<Count> functions;  // in the order of Image::functions(), then what belongs to none

@@ -7,7 +7,7 @@ void SerialPort::begin(std::uint64_t at) {
   waiting_.pop_front();
   shifting_ = true;
   hears_ = false;
-  now_ = {at, at + cycles_per_byte_, false};
+  now_ = {at, at + (in_no_time_ ? 0 : cycles_per_byte_), false};
 }
 
 void SerialPort::begin_listening(std::uint64_t at) {

@@ -23,6 +23,9 @@ class SerialPort {
     mode_ = mode;
   }
 
+  // Whatever is set, a byte sent takes no cycle.
+  void send_in_no_time() { in_no_time_ = true; }
+
   bool full() const { return waiting_.size() == depth_; }
   bool empty() const { return waiting_.empty(); }
   bool busy() const { return shifting_ || !waiting_.empty(); }
@@ -59,6 +62,7 @@ class SerialPort {
   std::uint64_t pixels_ = 0;
   unsigned mode_ = 0;
   std::deque<std::uint8_t> waiting_, received_;
+  bool in_no_time_ = false;
   bool shifting_ = false, listening_ = false, hears_ = false;  // hears_: the byte on the wire is the panel's
   std::uint8_t byte_ = 0, last_received_ = 0;
   DisplayWire::Byte now_{};

@@ -1,0 +1,23 @@
+// Addresses at which a run is looked at more closely.
+#pragma once
+
+#include <cstdint>
+
+#include "mcu/image.hpp"
+#include "mcu/machine.hpp"
+
+namespace spanline::host {
+
+// Where the image or the options name no such place, kNowhere.
+struct Marks {
+  static constexpr std::uint32_t kNowhere = 1;  // odd: no instruction lies there
+  std::uint32_t from = kNowhere, until = kNowhere;
+  std::uint32_t main = kNowhere;
+  std::uint32_t frame_begin = kNowhere, frame_end = kNowhere;
+  std::uint32_t next_line = kNowhere;  // Frame::next_line()
+};
+
+// Throws InputError where the options name a symbol that the image lacks.
+Marks find_marks(const Image& image, const RunOptions& options);
+
+}  // namespace spanline::host
