@@ -37,7 +37,8 @@ class Animation {
     std::vector<std::uint8_t> out(bytes_per_line(screen_.format, screen_.width));
     std::vector<std::uint32_t> words(out.size() / 4 + 1);  // the painter's line begins on a word
     Painter painter(screen_);
-    painter.begin_line(static_cast<std::uint16_t>(y), reinterpret_cast<std::uint8_t*>(words.data()), kBackground);
+    painter.begin_lines(kBackground);
+    painter.begin_line(static_cast<std::uint16_t>(y), reinterpret_cast<std::uint8_t*>(words.data()));
     painter.span({.line = static_cast<std::uint16_t>(y), .left = 0, .right = screen_.width, .depth = {}});
     std::memcpy(out.data(), words.data(), out.size());
     for (int x = 0; x < screen_.width; ++x) {

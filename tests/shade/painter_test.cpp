@@ -34,7 +34,8 @@ TEST(Painter, FillsRgb565WithoutGaps) {
     for (std::uint16_t b = a; b <= 9; ++b) {
       Line line;
       Painter painter(screen);
-      painter.begin_line(0, line.bytes, kBlack);
+      painter.begin_lines(kBlack);
+      painter.begin_line(0, line.bytes);
       if (a > 0) painter.span(run(0, a, 0x1111));
       if (b > a) painter.span(run(a, b, 0x2222));
       if (9 > b) painter.span(run(b, 9, 0x3333));
@@ -55,7 +56,8 @@ TEST(Painter, PacksGreyPixelsOfAllCuts) {
     for (std::uint16_t cut = 1; cut < 21; ++cut) {
       Line line;
       Painter painter(screen);
-      painter.begin_line(0, line.bytes, kBlack);
+      painter.begin_lines(kBlack);
+      painter.begin_line(0, line.bytes);
       painter.span(run(0, cut, 90));
       painter.span(run(cut, 21, 200));
       for (unsigned x = 0; x < 21; ++x) {
@@ -80,7 +82,8 @@ TEST(Painter, BackgroundRunsFromTopToBottom) {
   for (std::uint16_t y = 0; y < 5; ++y) {
     Line line;
     Painter painter(screen);
-    painter.begin_line(y, line.bytes, gradient);
+    painter.begin_lines(gradient);
+    painter.begin_line(y, line.bytes);
     painter.span(run(0, 1, 0));
     EXPECT_EQ(line.bytes[0], expected[y]);
   }

@@ -78,6 +78,7 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   const bool had_segments = again && !has_mesh_lines();
   scene_ = scene;
   camera_ = camera;
+  painter_.begin_lines(scene_.scene().background);
   begin_curves(rest);
   if constexpr (kOptions.walker == Walker::both) {
     if (!had_segments && mesh_.begin(scene_, camera_, rest.top).ok()) return band_ = rest;
@@ -105,7 +106,7 @@ template <FrameOptions kOptions>
 bool Frame<kOptions>::mesh_line(std::uint16_t line) {
   if constexpr (kOptions.walker == Walker::both) {
     if (!mesh_.ready()) return false;
-    if (mesh_.next(line, painter_, tap_).ok()) return true;
+    if (mesh_.next(line, painter_, tap_)) return true;
     read_vertices();
     plan(line, band_.bottom);
   }
@@ -205,12 +206,12 @@ bool Frame<kOptions>::wait(std::uint16_t face, std::int32_t first_line, std::uin
 template <FrameOptions kOptions>
 bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
-  if (const Status status = check_line(out, line_bytes(), band_.top); !status.ok()) {
-    note(status);
+  if (!takes_line(out, line_bytes())) {
+    note(line_refused(out, line_bytes(), band_.top));
     return false;
   }
   const std::uint16_t line = band_.top;
-  painter_.begin_line(line, out.data(), scene_.scene().background);
+  painter_.begin_line(line, out.data());
   if (mesh_line(line)) {
     note(curves_.draw(line, painter_));
     ++band_.top;

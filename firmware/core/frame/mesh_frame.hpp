@@ -6,7 +6,11 @@
 namespace spanline {
 
 Status check_band(Band rest, const Screen& screen);
-Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line);
+// Whether a line of `bytes` can be rendered into `out`, and the status where it cannot.
+inline bool takes_line(Slice<std::uint8_t> out, std::uint32_t bytes) {
+  return out.size() >= bytes && reinterpret_cast<std::uintptr_t>(out.data()) % 4 == 0;
+}
+Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line);
 
 // What a Frame is with the edge walker alone: to be used as every Frame. Scenes that the walker cannot draw are refused
 // by prepare() with the status of MeshLines::begin(); a line for which a pool is too small ends the band, and status()
@@ -32,6 +36,11 @@ class MeshFrame {
   void set_tap(const SpanTap& tap) { tap_ = tap; }
 
  private:
+  [[gnu::noinline]] bool end(const Status& status);
+  void note(const Status& status) {
+    if (status_.ok()) status_ = status;
+  }
+
   Screen screen_;
   MeshLines<kTaps> mesh_;
   Painter painter_;
@@ -50,27 +59,27 @@ Band MeshFrame<kTaps, kStatistics>::prepare(const SceneView& scene, const Camera
   if (status.ok()) status = mesh_.begin(scene, camera, rest.top);
   if (status.ok()) {
     status = curves_.begin(scene, camera, rest.top, rest.bottom);
+    painter_.begin_lines(scene.scene().background);
     band_ = rest;
   }
-  if (status_.ok()) status_ = status;
+  if (!status.ok()) note(status);
   return band_;
 }
 
 template <bool kTaps, bool kStatistics>
 bool MeshFrame<kTaps, kStatistics>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
-  Status status = check_line(out, line_bytes(), band_.top);
-  if (status.ok()) {
-    painter_.begin_line(band_.top, out.data(), mesh_.scene().background);
-    status = mesh_.next(band_.top, painter_, tap_);
-  }
-  if (status.ok()) {
-    const Status& drawn = curves_.draw(band_.top, painter_);
-    if (status_.ok()) status_ = drawn;
-    ++band_.top;
-    return true;
-  }
-  if (status_.ok()) status_ = status;
+  if (!takes_line(out, line_bytes())) return end(line_refused(out, line_bytes(), band_.top));
+  painter_.begin_line(band_.top, out.data());
+  if (!mesh_.next(band_.top, painter_, tap_)) return end(mesh_.shortage());
+  if (const Status& drawn = curves_.draw(band_.top, painter_); !drawn.ok()) note(drawn);
+  ++band_.top;
+  return true;
+}
+
+template <bool kTaps, bool kStatistics>
+bool MeshFrame<kTaps, kStatistics>::end(const Status& status) {
+  note(status);
   band_ = {};
   return false;
 }

@@ -24,10 +24,8 @@ Status check_band(Band rest, const Screen& screen) {
   return {Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen.height};
 }
 
-Status check_line(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
-  if (out.size() < bytes) return {Code::bad_argument, "line", "size", 0, line, out.size(), bytes};
-  if (reinterpret_cast<std::uintptr_t>(out.data()) % 4 == 0) return {};
-  return {Code::bad_argument, "line", "alignment", 0, line, out.size(), bytes};
+Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
+  return {Code::bad_argument, "line", out.size() < bytes ? "size" : "alignment", 0, line, out.size(), bytes};
 }
 
 template class MeshLines<false>;

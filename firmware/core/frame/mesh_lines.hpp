@@ -65,11 +65,16 @@ class MeshLines {
   std::uint32_t most_edges() const { return walker_.most_edges(); }  // see Budget::edges
   const SceneRecord& scene() const { return scene_.scene(); }
 
-  // Renders the line after the last, where ready. Fails with pool_exhausted, and is not ready any more.
-  Status next(std::uint16_t line, Painter& painter, const SpanTap& tap);
+  // Renders the line after the last, where ready. False where a pool is too small, and it is not ready any more; what
+  // has been painted of the line has to be painted again.
+  bool next(std::uint16_t line, Painter& painter, const SpanTap& tap);
+  // What next() failed for: pool_exhausted.
+  Status shortage() const;
 
  private:
-  template <bool kWide, bool kSmooth>
+  // What spans are painted with: fill_span(); that and smooth_span(); what the format takes.
+  enum class Paint { flat_words, smooth_words, any };
+  template <Paint kPaint>
   struct Sink;
 
   Status check(const SceneView& scene) const;
@@ -77,6 +82,7 @@ class MeshLines {
   FaceLook look_of(FaceId face);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;
+  bool give_up(bool overlaps);
   bool project(const InstanceCursor& at);
   void light(const InstanceCursor& at);
 
@@ -91,7 +97,7 @@ class MeshLines {
   InstanceCursor cursor_;
   EdgeWalker walker_;
   std::uint16_t line_ = 0;  // to be made next
-  bool ready_ = false;
+  bool ready_ = false, overlaps_short_ = false;
 };
 
 // Where there is no edge walker.

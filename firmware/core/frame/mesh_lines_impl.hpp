@@ -4,6 +4,7 @@
 #include "core/frame/facet_color.hpp"
 #include "core/frame/mesh_lines.hpp"
 #include "core/shade/fill_words.hpp"
+#include "core/shade/flat_walk.hpp"
 
 namespace spanline {
 
@@ -11,18 +12,67 @@ inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup
   return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
 }
 
-// kWide: lines of RGB565 that fill_span() can fill; kSmooth: faces may be smooth.
 template <bool kTaps>
-template <bool kWide, bool kSmooth>
+template <typename MeshLines<kTaps>::Paint kPaint>
 struct MeshLines<kTaps>::Sink {
   MeshLines& mesh;
   Painter& painter;
-  std::uint8_t* out;
-  FaceWords words;
   const SpanTap& tap;
+  std::uint8_t* out;
+  const std::uint16_t* words;
   std::uint16_t line;
 
-  void one(std::int32_t left, std::int32_t right, FaceId face) {
+  WalkStop run(LineWalk& walk) const {
+    if constexpr (kPaint == Paint::flat_words && !kTaps) {
+      return flat_walk(walk);
+    } else {
+      return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+        report_one(left, right, face);
+        paint(left, right, face);
+      });
+    }
+  }
+  void last(std::int32_t left, std::int32_t right, FaceId face) const {
+    report_one(left, right, face);
+    paint_cut(left, right, face);
+  }
+  void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
+    if constexpr (kTaps) report(left, right, face, ramp);
+    if (right + kOvershoot > mesh.screen_.width) return paint_cut(left, right, face);
+    paint(left, right, face);
+  }
+
+ private:
+  static constexpr bool kWords = kPaint != Paint::any;
+  // Whether the face's word is its colour, as the background's is.
+  bool is_flat(FaceId face) const {
+    return kPaint == Paint::flat_words || face == 0 || (!kWords && !mesh.smooth_.on());
+  }
+  void paint(std::int32_t left, std::int32_t right, FaceId face) const {
+    if constexpr (kWords) {
+      if (is_flat(face)) return fill_span(out, left, right, words[face]);
+      paint_smooth(left, right, face);
+    } else {
+      paint_cut(left, right, face);
+    }
+  }
+  // Not a pixel too far.
+  [[gnu::noinline]] void paint_cut(std::int32_t left, std::int32_t right, FaceId face) const {
+    if (!is_flat(face)) return paint_smooth(left, right, face);
+    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), words[face]);
+  }
+  void paint_smooth(std::int32_t left, std::int32_t right, FaceId face) const {
+    const auto from = static_cast<std::uint32_t>(left), to = static_cast<std::uint32_t>(right);
+    const FaceLook& look = mesh.smooth_.look(face, mesh.words_[face], [this](FaceId f) { return mesh.look_of(f); });
+    if (!look.smooth()) return painter.fill(from, to, look.look);
+    const std::uint16_t* const colors = mesh.smooth_.colors(look.look, mesh.scene_.scene().materials);
+    if constexpr (kWords) {
+      smooth_span(out, from, to, look.plane, line, colors);
+    } else {
+      painter.smooth(from, to, look.plane, colors);
+    }
+  }
+  void report_one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) {
       DepthRamp ramp;
       if (face != 0) {
@@ -31,35 +81,8 @@ struct MeshLines<kTaps>::Sink {
       }
       report(left, right, face, ramp);
     }
-    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
-  void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
-    if constexpr (kTaps) report(left, right, face, ramp);
-    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
-  }
-  void paint(std::uint32_t left, std::uint32_t right, FaceId face) {
-    if constexpr (kSmooth) {
-      if (face != 0) {
-        const FaceLook& look = mesh.smooth_.look(face, words[face], [this](FaceId f) { return mesh.look_of(f); });
-        if (!look.smooth()) return fill(left, right, look.look);
-        const std::uint16_t* const colors = mesh.smooth_.colors(look.look, mesh.scene_.scene().materials);
-        if constexpr (kWide) {
-          return smooth_span(out, left, right, look.plane, line, colors);
-        } else {
-          return painter.smooth(left, right, look.plane, colors);
-        }
-      }
-    }
-    fill(left, right, words[face]);
-  }
-  void fill(std::uint32_t left, std::uint32_t right, std::uint16_t color) {
-    if constexpr (kWide) {
-      fill_span(out, left, right, color);
-    } else {
-      painter.fill(left, right, color);
-    }
-  }
-  void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) {
+  void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if (tap.span == nullptr) return;
     VisibleSpan span;
     span.line = line;
@@ -230,33 +253,44 @@ void MeshLines<kTaps>::light(const InstanceCursor& at) {
 }
 
 template <bool kTaps>
-Status MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
-  ready_ = false;
-  if (!walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); })) {
-    const std::uint32_t capacity = walker_.edge_capacity();
-    return {Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity};
-  }
   words_[0] = painter.background();
+  if (!kTaps && walker_.is_blank(line)) {
+    painter.fill(0, screen_.width, painter.background());
+    ++line_;
+    return true;
+  }
+  if (!walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); })) return give_up(false);
   const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
-  const auto walk = [&]<bool kWide, bool kSmooth>(Sink<kWide, kSmooth>* none) {
-    Sink<kWide, kSmooth> sink{*this, painter, painter.out(), words_, tap, line};
+  const auto walk = [&]<Paint kPaint>(Sink<kPaint>* none) {
     static_cast<void>(none);
-    return walker_.walk(line, sink, plane);
+    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, painter.out(), &words_[0], line}, plane);
   };
-  const bool wide = screen_.format == PixelFormat::rgb565 && screen_.width % 2 == 0;
   bool whole = false;
-  if (smooth_.on()) {
-    whole = wide ? walk(static_cast<Sink<true, true>*>(nullptr)) : walk(static_cast<Sink<false, true>*>(nullptr));
+  if (screen_.format != PixelFormat::rgb565) {
+    whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
+  } else if (smooth_.on()) {
+    whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
   } else {
-    whole = wide ? walk(static_cast<Sink<true, false>*>(nullptr)) : walk(static_cast<Sink<false, false>*>(nullptr));
+    whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));
   }
-  if (!whole) {
-    return {Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost};
-  }
-  ready_ = true;
+  if (!whole) return give_up(true);
   ++line_;
-  return {};
+  return true;
+}
+
+template <bool kTaps>
+bool MeshLines<kTaps>::give_up(bool overlaps) {
+  ready_ = false;
+  overlaps_short_ = overlaps;
+  return false;
+}
+
+template <bool kTaps>
+Status MeshLines<kTaps>::shortage() const {
+  const std::uint32_t capacity = overlaps_short_ ? OverlapSet::kMost : walker_.edge_capacity();
+  return {Code::pool_exhausted, overlaps_short_ ? "overlaps" : "edges", "", 0, line_, capacity + 1, capacity};
 }
 
 }  // namespace spanline

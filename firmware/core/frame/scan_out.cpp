@@ -64,7 +64,8 @@ void ScanOut::begin_frame(const BackgroundRecord& background) {
 std::uint32_t ScanOut::background_word(std::uint16_t line) const {
   std::uint32_t word = 0;
   Painter painter(screen_);
-  painter.begin_line(line, reinterpret_cast<std::uint8_t*>(&word), background_);
+  painter.begin_lines(background_);
+  painter.begin_line(line, reinterpret_cast<std::uint8_t*>(&word));
   const auto pixels = static_cast<std::uint16_t>(32 / bits_per_pixel(screen_.format));
   painter.span({.line = line, .left = 0, .right = pixels, .depth = {}});
   return word;

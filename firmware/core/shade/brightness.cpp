@@ -7,7 +7,10 @@ namespace spanline {
 
 namespace {
 
-constexpr int kBits = BrightnessPlane::kFraction - kBrightnessStep;
+// Gradients are made with fewer bits than the plane has, which leaves room for the steps of slivers.
+constexpr int kBits = 16;
+constexpr int kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBits;
+static_assert(kToPlane > 0, "no plane is odd: FaceLook::kFlat");
 
 // By exact divisions, for large and steep triangles.
 Gradient exact_gradient(const ScreenXY (&at)[3], std::int64_t rise1, std::int64_t rise2) {
@@ -28,10 +31,10 @@ BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&cor
   const std::int32_t rise1 = corner[1] - corner[0], rise2 = corner[2] - corner[0];
   Gradient gradient;
   if (!small_gradient<kBits, kFullBrightness>(at, rise1, rise2, gradient)) gradient = exact_gradient(at, rise1, rise2);
-  const std::uint32_t half = 1u << (BrightnessPlane::kFraction - 1);
+  const std::uint32_t half = 1u << (kBrightnessStep + kBits - 1);
   const std::uint32_t start = (std::uint32_t{corner[0]} << kBits) + half;
-  return {at_origin(start, at[0], gradient), static_cast<std::uint32_t>(gradient.right),
-          static_cast<std::uint32_t>(gradient.down)};
+  return {at_origin(start, at[0], gradient) << kToPlane, static_cast<std::uint32_t>(gradient.right) << kToPlane,
+          static_cast<std::uint32_t>(gradient.down) << kToPlane};
 }
 
 void SmoothCache::clear() {

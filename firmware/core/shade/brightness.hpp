@@ -16,16 +16,16 @@ using Brightness = std::uint8_t;
 inline constexpr std::uint32_t kFullBrightness = 252;
 inline constexpr int kBrightnessStep = 2;  // bits below an entry of the table
 
-// Brightness over a triangle, in table entries Q6.18 modulo 2^32, half an entry added so that cutting off rounds.
+// Brightness over a triangle, in table entries Q6.26 modulo 2^32, half an entry added so that cutting off rounds. The
+// word is full, so whatever it holds is an entry of the table.
 struct BrightnessPlane {
-  static constexpr int kFraction = 18;
+  static constexpr int kFraction = 26;
   std::uint32_t at_zero, right, down;  // at column 0 and line 0; a column; a line
   std::uint32_t at(std::uint32_t column, std::uint32_t line) const { return at_zero + right * column + down * line; }
-  // The table's entry, which is one even beyond the triangle: a line that the edge walker gives up may paint there.
-  static constexpr std::uint32_t entry(std::uint32_t brightness) { return brightness >> kFraction & 63u; }
+  static constexpr std::uint32_t entry(std::uint32_t brightness) { return brightness >> kFraction; }
 };
 
-// The plane through three corners; never out of the table inside the triangle.
+// The plane through three corners; inside the triangle it comes round neither end of the table.
 BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]);
 
 // The colours of one material, darkest first, as Painter::fill takes them.
@@ -41,10 +41,9 @@ static_assert(BrightnessPlane::entry(UINT32_MAX) == ColorTable::kEntries - 1);
 struct FaceLook {
   BrightnessPlane plane;
   FaceId face;
-  std::uint16_t look;  // the material where smooth, else the colour
-  static constexpr std::uint32_t kFlat =
-      0xffffffffu;  // plane.at_zero of a face of one colour; a level plane is below 2^24
-  bool smooth() const { return plane.at_zero != kFlat || plane.right != 0 || plane.down != 0; }
+  std::uint16_t look;                                  // the material where smooth, else the colour
+  static constexpr std::uint32_t kFlat = 0xffffffffu;  // plane.at_zero of a face of one colour; no plane's is odd
+  bool smooth() const { return plane.at_zero != kFlat; }
 };
 static_assert(sizeof(FaceLook) == 16);
 

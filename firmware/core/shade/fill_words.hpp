@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/shade/brightness.hpp"
+#include "core/vsg/line_walk.hpp"
 
 namespace spanline {
 
@@ -17,44 +18,64 @@ inline void fill_words_plain(WordPixels* at, WordPixels* end, std::uint32_t word
   while (at != end) *at++ = word;
 }
 
-#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
-// Eight words an instruction.
+#if defined(__ARM_ARCH_ISA_THUMB)
+// Several words an instruction, four instructions a turn; what is left is filled from the end.
 [[gnu::noinline]] inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) {
   register std::uint32_t r3 asm("r3") = word;
   register std::uint32_t r4 asm("r4") = word;
   register std::uint32_t r5 asm("r5") = word;
   register std::uint32_t r6 asm("r6") = word;
+#if __ARM_ARCH_ISA_THUMB == 2
+#define SPANLINE_BLOCK "{r3, r4, r5, r6, r8, r9, r10, r12}"
   register std::uint32_t r8 asm("r8") = word;
   register std::uint32_t r9 asm("r9") = word;
   register std::uint32_t r10 asm("r10") = word;
   register std::uint32_t r12 asm("r12") = word;
-  WordPixels* const last = end - 8;
+  constexpr int kBlock = 8;
+#else
+#define SPANLINE_BLOCK "{r3, r4, r5, r6}"
+  constexpr int kBlock = 4;
+#endif
   asm volatile(
-      "1: stmia %0!, {r3, r4, r5, r6, r8, r9, r10, r12}\n"
-      "cmp %0, %1\n"
-      "bls 1b"
-      : "+r"(at)
-      : "r"(last), "r"(r3), "r"(r4), "r"(r5), "r"(r6), "r"(r8), "r"(r9), "r"(r10), "r"(r12)
+      "b 2f\n"
+      "1: stmia %0!, " SPANLINE_BLOCK "\n stmia %0!, " SPANLINE_BLOCK
+      "\n"
+      "   stmia %0!, " SPANLINE_BLOCK "\n stmia %0!, " SPANLINE_BLOCK
+      "\n"
+      "2: cmp %0, %2\n"
+      "   bls 1b\n"
+      "   b 4f\n"
+      "3: stmia %0!, " SPANLINE_BLOCK
+      "\n"
+      "4: cmp %0, %1\n"
+      "   bls 3b\n"
+      "   mov %0, %1\n"
+      "   stmia %0!, " SPANLINE_BLOCK
+      : "+l"(at)
+      : "l"(end - kBlock), "l"(end - 4 * kBlock), "r"(r3), "r"(r4), "r"(r5), "r"(r6)
+#if __ARM_ARCH_ISA_THUMB == 2
+                                                                                 ,
+        "r"(r8), "r"(r9), "r"(r10), "r"(r12)
+#endif
       : "cc", "memory");
-  while (at != end) *at++ = word;
+#undef SPANLINE_BLOCK
 }
 #else
 inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) { fill_words_plain(at, end, word); }
 #endif
 
-// Fills the RGB565 pixels [left, right) of a line that begins on a word and has an even number of them. May write one
-// pixel past `right`: spans come from left to right, so the next one covers it.
-inline void fill_span(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint32_t color) {
+// Fills the RGB565 pixels [left, right) of a line that begins on a word, and up to kOvershoot more.
+inline void fill_span(std::uint8_t* line, std::int32_t left, std::int32_t right, std::uint32_t color) {
   auto* at = reinterpret_cast<HalfPixels*>(line) + left;
-  if ((left & 1u) != 0) {
-    *at++ = static_cast<std::uint16_t>(color);
-    ++left;
-  }
+  if ((left & 1) != 0) *at++ = static_cast<std::uint16_t>(color);
   const std::uint32_t pair = color << 16 | color;
   auto* word = reinterpret_cast<WordPixels*>(at);
-  auto* const end = reinterpret_cast<WordPixels*>(line) + (right + 1) / 2;
-  if (right >= left + 16) return fill_words(word, end, pair);
-  for (; word < end; ++word) *word = pair;
+  auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
+  if (right - left >= 24) return fill_words(word, reinterpret_cast<WordPixels*>(line) + (right + 1) / 2, pair);
+  do {
+    word[0] = word[1] = pair;
+    word += 2;
+  } while (reinterpret_cast<HalfPixels*>(word) < end);
 }
 
 // Fills the RGB565 pixels [left, right) with a triangle's brightness in a material's colours, two at a time.

@@ -44,16 +44,19 @@ std::uint16_t mix_wire(std::uint16_t pixel, const Rgb8& color, std::uint32_t par
 
 }  // namespace
 
-void Painter::begin_line(std::uint16_t line, std::uint8_t* out, const BackgroundRecord& background) {
-  line_ = line;
-  out_ = out;
-  Rgb8 color = background.top;
-  if (background.bottom != background.top && screen_.height > 1) {
-    const std::uint32_t whole = screen_.height - 1u;
-    color = {mix(background.top.r, background.bottom.r, line, whole),
-             mix(background.top.g, background.bottom.g, line, whole),
-             mix(background.top.b, background.bottom.b, line, whole)};
-  }
+void Painter::begin_lines(const BackgroundRecord& background) {
+  gradient_ = background.bottom != background.top && screen_.height > 1 ? &background : nullptr;
+  set_background(background.top);
+}
+
+void Painter::shade_background() {
+  const std::uint32_t whole = screen_.height - 1u;
+  const auto part = [&](std::uint8_t top, std::uint8_t bottom) { return mix(top, bottom, line_, whole); };
+  const Rgb8 &top = gradient_->top, &bottom = gradient_->bottom;
+  set_background({part(top.r, bottom.r), part(top.g, bottom.g), part(top.b, bottom.b)});
+}
+
+void Painter::set_background(const Rgb8& color) {
   background_color_ = color;
   background_ = flat_payload(screen_.format, color);
 }

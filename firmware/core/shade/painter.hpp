@@ -20,8 +20,15 @@ class Painter {
   // Bytes that begin_line() needs.
   std::uint32_t line_bytes() const { return bytes_per_line(screen_.format, screen_.width); }
 
+  // What lies behind the lines to come; to be kept until the last of them.
+  void begin_lines(const BackgroundRecord& background);
   // The spans to come belong to `line`; `out` begins on a word boundary and holds line_bytes() at least.
-  void begin_line(std::uint16_t line, std::uint8_t* out, const BackgroundRecord& background);
+  void begin_line(std::uint16_t line, std::uint8_t* out) {
+    line_ = line;
+    out_ = out;
+    if (gradient_ != nullptr) [[unlikely]]
+      shade_background();
+  }
   void span(const VisibleSpan& span);
   // A span of one colour, as flat_payload() gives it.
   void fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload);
@@ -37,6 +44,8 @@ class Painter {
   void cover(const Rgb8& color, LineCoverage& coverage);
 
  private:
+  void shade_background();
+  void set_background(const Rgb8& color);
   void flat_layers(const LayeredSpan& span);
   void pixel(std::uint32_t x, const Rgb8& color);
   void gouraud(const VisibleSpan& span);
@@ -46,6 +55,7 @@ class Painter {
   void cover_grey(std::uint32_t x, std::uint32_t grey, std::uint32_t part);
 
   Screen screen_;
+  const BackgroundRecord* gradient_ = nullptr;  // the background, where it changes from line to line
   std::uint8_t* out_ = nullptr;
   std::uint16_t line_ = 0;
   std::uint16_t background_ = 0;  // payload

@@ -31,10 +31,11 @@ struct ActiveEdge {
   static constexpr std::uint32_t kOneLine = 1u << 17;
   static constexpr std::uint32_t kTall = 1u << 16;
 
-  std::int32_t x;      // Q12.20 px
-  std::int32_t dx;     // a line
-  CoverKey toggle;     // what it adds to the key: the face that begins less the one that ends
-  std::uint32_t rest;  // lines to come before it ends (or is begun again, where kTall), kTall, the FaceId that ends
+  std::int32_t x;   // Q12.20 px
+  std::int32_t dx;  // a line
+  CoverKey toggle;  // what it adds to the key: the face that begins less the one that ends
+  std::uint32_t
+      rest;  // lines after this one until it ends (or is begun again, where kTall), kTall, the FaceId that ends
 
   std::int32_t column() const { return x >> kFraction; }
   FaceId ending() const { return static_cast<FaceId>(rest); }

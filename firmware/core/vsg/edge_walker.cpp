@@ -9,16 +9,6 @@ void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
   alive_ = most_ = 0;
 }
 
-// Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
-void EdgeWalker::insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge) {
-  ActiveEdge* at = end;
-  do {
-    *at = at[-1];
-    --at;
-  } while (at != begin && at[-1].x > edge.x);
-  *at = edge;
-}
-
 // Begins a tall edge again on `line`; false where it has ended, and for every other edge. Of the face that it begins
 // or ends the edge is the left or right one.
 bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
@@ -39,7 +29,7 @@ bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
     const EdgeRun run = start_run(top, bottom, line);
     edge.x = run.x;
     edge.dx = run.dx;
-    edge.rest += static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine;
+    edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
     return true;
   }
   return false;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/scene/instance_cursor.hpp"
+#include "core/vsg/line_walk.hpp"
 #include "core/vsg/overlap.hpp"
 #include "core/vsg/plane_cache.hpp"
 #include "core/vsg/vertex_buckets.hpp"
@@ -16,9 +17,13 @@ struct EdgeStorage {
   PoolRef<ScreenXY> points;        // a vertex each
   PoolRef<std::uint16_t> links;    // likewise
   PoolRef<std::uint16_t> buckets;  // a line each
-  PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's
+  PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's: kMostEdges are used
   PoolRef<CachedPlane> planes;     // any number
 };
+
+// Each face over a pixel has an edge on the line, and with more of them the sum that is a CoverKey would come round.
+inline constexpr std::uint32_t kMostEdges = 3840;
+static_assert(std::uint64_t{kMostEdges} * cover_of(0xffff) <= UINT32_MAX);
 
 class EdgeWalker {
  public:
@@ -28,7 +33,9 @@ class EdgeWalker {
         points_(storage.points),
         edges_{storage.edges[0], storage.edges[1]},
         planes_(storage.planes),
-        screen_(screen) {}
+        screen_(screen) {
+    for (PoolRef<ActiveEdge>& edges : edges_) edges.limit(kMostEdges);
+  }
 
   // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
   // for each before faces are filed.
@@ -37,16 +44,19 @@ class EdgeWalker {
   // Files a vertex of a face that is drawn; true the first time.
   bool file(std::uint32_t vertex) { return buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
 
+  // Whether nothing of `line` is covered.
+  bool is_blank(std::int32_t line) const { return alive_ == 0 && buckets_.is_empty(line); }
   // Starts the edges that begin on `line`; to be called for every line from top on. drawn(FaceId) says whether a face
   // is drawn: those that are run counter-clockwise on the screen. False where there is no room for an edge.
   template <typename Drawn>
   bool start_edges(std::int32_t line, const Drawn& drawn);
 
-  // The visible spans of the line: sink.one(left, right, FaceId) where one face covers it or none (0),
-  // sink.front(left, right, FaceId, ramp) where others are behind. plane(FaceId) makes a face's depth plane. Steps the
-  // edges. False where more faces cover a pixel than the overlap set holds.
+  // The visible spans of the line. Sink::run(LineWalk&) is walk_on() with a paint of its own; sink.last(left, right,
+  // FaceId) takes the spans at the line's right end; sink.front(left, right, FaceId, ramp) those where others are
+  // behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel than the
+  // overlap set holds: from there on spans of several faces are left out.
   template <typename Sink, typename Plane>
-  bool walk(std::int32_t line, Sink& sink, const Plane& plane);
+  bool walk(std::int32_t line, const Sink& sink, const Plane& plane);
 
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
   std::uint32_t edge_capacity() const { return edges_[0].capacity(); }
@@ -55,14 +65,9 @@ class EdgeWalker {
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
 
   bool run_again(ActiveEdge& edge, std::int32_t line);
-  // Where a walk has come to: the next edge of those alive, and of those that begin.
-  struct Sides {
-    const ActiveEdge *edge, *fresh;
-  };
-  static void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
   template <typename Sink, typename Plane>
-  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key,
-                                    const Sides& at, Sink& sink, const Plane& plane);
+  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
+                                    const Plane& plane);
 
   InstanceCursor cursor_;
   VertexBuckets buckets_;
@@ -111,7 +116,7 @@ bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
         run = start_run(top, bottom, line);
         if (dy > kTallEdge) rest += ActiveEdge::kTall;
       }
-      rest += static_cast<std::uint32_t>(run.lines) * ActiveEdge::kOneLine;
+      rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
       const ActiveEdge begun{run.x, run.dx, toggle, rest};
       // They come nearly in order.
       if (out != first && out[-1].x > run.x) {
@@ -127,18 +132,23 @@ bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
   return true;
 }
 
+// Shows the span of several faces that the walk has come to.
 template <typename Sink, typename Plane>
-void EdgeWalker::show_front(std::int32_t line, std::int32_t left, std::int32_t right, CoverKey key, const Sides& at,
-                            Sink& sink, const Plane& plane) {
+void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
+                            const Plane& plane) {
   // The order of edges in one column is not that of their faces: only between columns is the key what it says. The
   // set is brought up to date by the edges at `left`.
-  Sides from = at;
-  const auto at_left = [&](const ActiveEdge& edge) { return left == 0 || edge.column() >= left; };
-  while (from.edge != &edges_[0][0] && at_left(from.edge[-1])) key -= (--from.edge)->toggle;
-  while (from.fresh != &edges_[0][alive_ + 1] && at_left(from.fresh[-1])) key -= (--from.fresh)->toggle;
+  const std::int32_t left = walk.left;
+  CoverKey key = walk.key;
+  const ActiveEdge *edge = walk.edge, *fresh = walk.fresh;
+  const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
+  while (edge != &edges_[0][0] && at_left(edge[-1])) key -= (--edge)->toggle;
+  while (fresh != &edges_[0][alive_ + 1] && at_left(fresh[-1])) key -= (--fresh)->toggle;
   if (key < kTwoFaces) overlap_.set(only_face(key));
-  for (; from.edge != at.edge; ++from.edge) overlap_.toggle(*from.edge);
-  for (; from.fresh != at.fresh; ++from.fresh) overlap_.toggle(*from.fresh);
+  for (; edge != walk.edge; ++edge) overlap_.toggle(*edge);
+  for (; fresh != walk.fresh; ++fresh) overlap_.toggle(*fresh);
+  // A face that the set had no room for would be put in where it ends, and be painted from there on.
+  if (overlap_.overflow()) return;
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
@@ -150,64 +160,62 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t left, std::int32_t r
 }
 
 template <typename Sink, typename Plane>
-bool EdgeWalker::walk(std::int32_t line, Sink& sink, const Plane& plane) {
-  const std::int32_t width = screen_.width;
-  const ActiveEdge* edge = &edges_[0][0];
-  const ActiveEdge* fresh = edge + alive_ + 1;
-  std::int32_t fresh_x = fresh->x;
-  ActiveEdge* const begin = &edges_[1][0];
-  ActiveEdge* out = begin;
-  std::int32_t furthest = INT32_MIN;  // x of the last edge put out
-  CoverKey key = 0;
-  std::int32_t left = 0;
+bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
   overlap_.clear_overflow();
+  LineWalk walk;
+  walk.edge = &edges_[0][0];
+  walk.fresh = walk.edge + alive_ + 1;
+  walk.begin = walk.out = &edges_[1][0];
+  walk.side = LineWalk::side_of(screen_.width);
+  walk.limit = walk.next_limit();
+  walk.left = 0;
+  walk.key = 0;
+  walk.furthest = INT32_MIN;
+  walk.pixels = sink.out;
+  walk.words = sink.words;
+  const auto begin_again = [&] {
+    if (run_again(*walk.out, line + 1)) walk.put_out();
+  };
   for (;;) {
-    const ActiveEdge* next = edge;
-    std::int32_t x = next->x;
-    if (fresh_x < x) [[unlikely]] {
-      next = fresh;
-      x = fresh_x;
-    }
-    std::int32_t column = x >> ActiveEdge::kFraction;
-    if (column > left) {
-      static_assert(ActiveEdge::kNever >> ActiveEdge::kFraction > kMaxExtent, "the sentinel comes to this point");
-      if (column > width) column = width;
-      if (column > left) {
-        if (key < kTwoFaces) [[likely]] {
-          sink.one(left, column, only_face(key));
-        } else {
-          show_front(line, left, column, key, {edge, fresh}, sink, plane);
-        }
-        left = column;
-      }
-      if (column == width && x == ActiveEdge::kNever) break;
-    }
-    if (next == fresh) [[unlikely]] {
-      fresh_x = (++fresh)->x;
+    const WalkStop stop = sink.run(walk);
+    if (stop == WalkStop::side) break;
+    if (stop == WalkStop::tall) {
+      begin_again();
     } else {
-      ++edge;
+      const std::int32_t column = walk.next()->column();
+      show_front(line, column, walk, sink, plane);
+      walk.left = column;
     }
-    const CoverKey toggle = next->toggle;
-    const std::uint32_t rest = next->rest - ActiveEdge::kOneLine;
-    const std::int32_t dx = next->dx;
-    key += toggle;
-    x += dx;
-    out->x = x;
-    out->dx = dx;
-    out->toggle = toggle;
-    out->rest = rest;
-    if (rest < ActiveEdge::kOneLine) [[unlikely]] {
-      if (!run_again(*out, line + 1)) continue;
-      x = out->x;
-    }
-    if (x < furthest) [[unlikely]] {
-      insert_back(begin, out, ActiveEdge{*out});
-    } else {
-      furthest = x;
-    }
-    ++out;
   }
-  alive_ = static_cast<std::uint32_t>(out - begin);
+
+  // At the right end spans are cut off.
+  for (;;) {
+    const bool of_fresh = walk.fresh->x < walk.edge->x;
+    const ActiveEdge* const next = of_fresh ? walk.fresh : walk.edge;
+    std::int32_t column = next->column();
+    static_assert(ActiveEdge::kNever >> ActiveEdge::kFraction > kMaxExtent, "the sentinel comes to this point");
+    if (column > screen_.width) column = screen_.width;
+    if (column > walk.left) {
+      if (walk.key < kTwoFaces) {
+        sink.last(walk.left, column, only_face(walk.key));
+      } else {
+        show_front(line, column, walk, sink, plane);
+      }
+      walk.left = column;
+    }
+    if (next->x == ActiveEdge::kNever) break;
+    ++(of_fresh ? walk.fresh : walk.edge);
+    walk.key += next->toggle;
+    *walk.out = *next;
+    if (next->rest < ActiveEdge::kOneLine) {
+      begin_again();
+      continue;
+    }
+    walk.out->x += next->dx;
+    walk.out->rest -= ActiveEdge::kOneLine;
+    walk.put_out();
+  }
+  alive_ = static_cast<std::uint32_t>(walk.out - walk.begin);
   std::swap(edges_[0], edges_[1]);
   return !overlap_.overflow();
 }

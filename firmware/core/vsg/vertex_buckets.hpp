@@ -34,6 +34,7 @@ class VertexBuckets {
     bucket = vertex;
     return true;
   }
+  bool is_empty(std::int32_t line) const { return buckets_[static_cast<std::uint32_t>(line - top_ + 1)] == kEmpty; }
   // The vertices of a line from left to right, as a list through next(): those that lie side by side in the mesh have
   // mostly been filed in this order or the reverse, which a hint turns into one look each. Those of the top line stay
   // as they are, since few of what lies above it has edges that reach it.

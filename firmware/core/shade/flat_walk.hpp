@@ -1,0 +1,23 @@
+// The walk of a line of RGB565 whose faces have one colour each: walk_on() with fill_span().
+#pragma once
+
+#include "core/shade/fill_words.hpp"
+
+namespace spanline {
+
+// A face's word is its colour. For any core.
+inline WalkStop flat_walk_plain(LineWalk& walk) {
+  const auto paint = [pixels = walk.pixels, words = walk.words](std::int32_t left, std::int32_t right, FaceId face) {
+    fill_span(pixels, left, right, words[face]);
+  };
+  return walk_on(walk, paint);
+}
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+// The same in assembly.
+WalkStop flat_walk(LineWalk& walk);
+#else
+inline WalkStop flat_walk(LineWalk& walk) { return flat_walk_plain(walk); }
+#endif
+
+}  // namespace spanline

@@ -1,0 +1,115 @@
+// One pass over the edges of a line, from left to right: where it stands, and its common part.
+#pragma once
+
+#include "core/vsg/active_edge.hpp"
+
+namespace spanline {
+
+// Spans come from left to right, so a painter may write this many pixels too far, but not past the line's end.
+inline constexpr std::int32_t kOvershoot = 4;
+
+// Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
+void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
+
+// Assembly knows where each member stands.
+struct LineWalk {
+  const ActiveEdge* edge;  // the next of those alive
+  ActiveEdge* out;         // behind the last of the next line's
+  std::int32_t limit;      // the next edge is of those that begin, or at the right end, where edge->x is beyond this
+  std::int32_t left;       // the column come to
+  CoverKey key;            // of the pixels from there on
+  std::int32_t furthest;   // x of out[-1]
+  std::uint8_t* pixels;    // of the line, on a word boundary
+  const std::uint16_t* words;  // of faces, by their ids
+  const ActiveEdge* fresh;     // the next of those that begin on this line
+  std::int32_t side;           // up to this x a span that ends there may overshoot
+  ActiveEdge* begin;           // the first of the next line's
+
+  // What lies beyond `side` is at the right end.
+  static constexpr std::int32_t side_of(std::int32_t width) {
+    return (width - kOvershoot + 1) * (1 << ActiveEdge::kFraction) - 1;
+  }
+  std::int32_t next_limit() const { return fresh->x < side ? fresh->x : side; }
+  const ActiveEdge* next() const { return edge->x > limit ? fresh : edge; }
+  // Puts *out, which its left neighbours may be beyond, in its place.
+  void put_out() {
+    if (out->x < furthest) [[unlikely]] {
+      insert_back(begin, out, ActiveEdge{*out});
+    } else {
+      furthest = out->x;
+    }
+    ++out;
+  }
+};
+
+enum class WalkStop : std::uint32_t {
+  side,   // the next edge lies at the right end, or there is none
+  front,  // before the next edge lies a span of several faces
+  tall,   // *out is an edge that has been taken and ended, or has to begin again
+};
+
+// Walks on until it has to stop. paint(left, right, FaceId) takes spans of one face or none (0).
+template <typename Paint>
+WalkStop walk_on(LineWalk& walk, const Paint& paint) {
+  // Known to nobody else, so that pixels cannot overwrite them.
+  const ActiveEdge* edge = walk.edge;
+  ActiveEdge* out = walk.out;
+  std::int32_t limit = walk.limit, left = walk.left, furthest = walk.furthest;
+  CoverKey key = walk.key;
+  WalkStop stop;
+  for (;;) {
+    const ActiveEdge* next = edge;
+    std::int32_t x = next->x;
+    const bool of_fresh = x > limit;
+    if (of_fresh) [[unlikely]] {
+      stop = WalkStop::side;
+      if (limit == walk.side) break;
+      next = walk.fresh;
+      x = limit;
+    }
+    const std::int32_t column = x >> ActiveEdge::kFraction;
+    if (column > left) {
+      stop = WalkStop::front;
+      if (key >= kTwoFaces) [[unlikely]]
+        break;
+      paint(left, column, only_face(key));
+      left = column;
+    }
+    const CoverKey toggle = next->toggle;
+    const std::uint32_t rest = next->rest;
+    const std::int32_t dx = next->dx;
+    if (of_fresh) [[unlikely]] {
+      ++walk.fresh;
+      limit = walk.next_limit();
+    } else {
+      ++edge;
+    }
+    key += toggle;
+    out->dx = dx;
+    out->toggle = toggle;
+    if (rest < ActiveEdge::kOneLine) [[unlikely]] {
+      if ((rest & ActiveEdge::kTall) == 0) continue;
+      out->rest = rest;
+      stop = WalkStop::tall;
+      break;
+    }
+    x += dx;
+    out->x = x;
+    out->rest = rest - ActiveEdge::kOneLine;
+    if (x < furthest) [[unlikely]] {
+      insert_back(walk.begin, out, ActiveEdge{*out});
+    } else {
+      furthest = x;
+    }
+    ++out;
+  }
+  walk.edge = edge;
+  walk.out = out;
+  walk.limit = limit;
+  walk.left = left;
+  walk.key = key;
+  walk.furthest = furthest;
+  return stop;
+}
+
+}  // namespace spanline
