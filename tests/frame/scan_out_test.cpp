@@ -229,21 +229,25 @@ TEST(ScanOutRuns, TilesAreThoseThatChanged) {
   Rig rig = shown(ScanPolicy::tiles);
   EXPECT_EQ(text(rig.runs(3, lit(100, 200))), "");
   std::vector<std::uint8_t> line = lit(100, 200);
-  line[2 * 150] = 1;
-  EXPECT_EQ(text(rig.runs(4, line)), "144-160*");
-  line[2 * 190] = 1;
-  EXPECT_EQ(text(rig.runs(5, line)), "144-160* 176-192*");
-  EXPECT_EQ(text(rig.runs(6, line)), "144-160* 176-192*");
+  line[2 * 105] = 1;
+  EXPECT_EQ(text(rig.runs(4, line)), "100-112*");
+  line[2 * 195] = 1;
+  EXPECT_EQ(text(rig.runs(5, line)), "100-112* 192-200*");
+  EXPECT_EQ(text(rig.runs(6, line)), "100-112* 192-200*");
   rig.scan_out().begin_frame(kBlack);
   EXPECT_EQ(text(rig.runs(6, line)), "");
-  EXPECT_EQ(text(rig.runs(5, lit(100, 210))), "144-160* 176-210*");  // no further than the extent
+  EXPECT_EQ(text(rig.runs(5, lit(100, 210))), "100-112* 192-210*");  // no further than the extent
 }
 
-TEST(ScanOutRuns, TilesAreJoinedWhereAWindowCostsMore) {
-  std::vector<std::uint8_t> line = lit(100, 200, PixelFormat::grey4);  // 8 bytes a tile
-  line[150 / 2] = line[182 / 2] = 1;
-  EXPECT_EQ(text(shown(ScanPolicy::tiles, PixelFormat::grey4, 11).runs(3, line)), "144-192*");
-  EXPECT_EQ(text(shown(ScanPolicy::tiles, PixelFormat::grey4, 6).runs(3, line)), "144-160* 176-192*");
+// 8 bytes a tile; the gap has five.
+TEST(ScanOutRuns, TilesAreJoinedWhereAnotherWindowCostsMore) {
+  std::vector<std::uint8_t> line = lit(100, 200, PixelFormat::grey4);
+  line[105 / 2] = line[195 / 2] = 1;
+  EXPECT_EQ(text(shown(ScanPolicy::tiles, PixelFormat::grey4, 6).runs(3, line)), "96-200*");
+  EXPECT_EQ(text(shown(ScanPolicy::tiles, PixelFormat::grey4, 5).runs(3, line)), "96-112* 192-200*");
+  // A longer run holds up longer, and may be joined over the same gap.
+  line[118 / 2] = 1;
+  EXPECT_EQ(text(shown(ScanPolicy::tiles, PixelFormat::grey4, 5).runs(3, line)), "96-200*");
 }
 
 TEST(ScanOutRuns, AnotherBackgroundOrALossSendsEverything) {

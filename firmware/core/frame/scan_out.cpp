@@ -132,20 +132,19 @@ void ScanOut::find_changed_tiles(std::uint16_t line, Slice<const std::uint8_t> b
               static_cast<std::uint16_t>(right < where.right ? right : where.right)};
 }
 
-// Sends unchanged tiles along where that is cheaper than another window.
+// Before a second window is opened the run before must have left, and meanwhile nobody computes; a gap that is sent
+// along leaves while the next line is computed. So it is sent along unless it takes kHeldUp times as long as that run
+// and a window. Counted on an STM32F4: with 3 no demo's frame takes longer than 1.02 times the longer of computing and
+// sending each line, with 1 it is 1.06, and 1.39 where a gap may be no longer than a window.
 void ScanOut::join_tiles() {
-  const std::uint32_t most = window_bytes_ / bytes_of(kTilePixels);
-  if (most == 0) return;
-  std::uint32_t gap = most + 1;
-  for (std::uint32_t tile = 0; tile < tiles_per_line(pending_.right); ++tile) {
-    if (!is_changed(tile)) {
-      ++gap;
-      continue;
-    }
-    if (gap <= most) {
-      for (; gap != 0; --gap) set_changed(tile - gap);
-    }
-    gap = 0;
+  constexpr std::uint32_t kHeldUp = 3;
+  const std::uint32_t tile_bytes = bytes_of(kTilePixels), end = tiles_per_line(pending_.right);
+  std::uint32_t begin = pending_.left / kTilePixels, after = begin;  // of the run so far
+  for (std::uint32_t tile = begin; tile < end; ++tile) {
+    if (!is_changed(tile)) continue;
+    const std::uint32_t gap = tile - after, run = after - begin;
+    if (tile_bytes * gap > kHeldUp * (tile_bytes * run + window_bytes_)) begin = after = tile;
+    for (; after <= tile; ++after) set_changed(after);
   }
 }
 
