@@ -46,6 +46,7 @@ Json frames_json(const FrameReport& report, const RunReport& run, bool timed) {
                {"frames_a_second", rate_json(report.rate)},
                {"frames_a_second_worst", rate_json(report.worst_rate)},
                {"dma_overlap", report.overlap},
+               {"pace", report.pace == 0 ? Json() : Json(report.pace)},
                {"bytes", report.bytes},
                {"ring_lines", report.ring ? Json(*report.ring) : Json()},
                {"stages", stages_json(report.stages, timed)}};

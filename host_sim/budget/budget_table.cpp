@@ -24,11 +24,13 @@ std::string thousands(std::uint64_t number) {
 
 std::string amount(const Json& json) { return json.is_number_unsigned() ? thousands(json.get<std::uint64_t>()) : "–"; }
 
-std::string rate(const Json& json) {
+std::string real(double value, int digits) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << json.get<double>();
-  return json.get<double>() > 0 ? text.str() : "–";
+  text << std::fixed << std::setprecision(digits) << value;
+  return value > 0 ? text.str() : "–";
 }
+
+std::string rate(const Json& json) { return real(json.get<double>(), 1); }
 
 // The fullest pool whose size is not the screen's: "samples 36/64".
 std::string fullest_pool(const Json& pools) {
@@ -57,6 +59,7 @@ std::string row_of(const Json& report) {
       << " | " << (timed ? amount(frames.at("cycles").at("median")) : "–") << " | "
       << (timed ? amount(frames.at("cycles").at("most")) : "–") << " | " << (timed ? rate(fps.at("compute")) : "–")
       << " | " << rate(fps.at("wire")) << " | " << (timed ? rate(fps.at("both")) : "–") << " | "
+      << (frames.at("pace").is_null() || frames.at("bytes") == 0 ? "–" : real(frames.at("pace"), 3)) << " | "
       << amount(frames.at("ring_lines")) << " | " << fullest_pool(report.at("pools")) << " |\n";
   return row.str();
 }
@@ -67,8 +70,8 @@ std::string budget_table(const std::vector<std::string>& reports) {
   std::string table =
       "| board | demo | core | flash | RAM | stack reached | stack bound | instructions | cycles, median | cycles, "
       "worst | "
-      "f/s compute | f/s wire | f/s | ring | fullest pool |\n"
-      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+      "f/s compute | f/s wire | f/s | pace | ring | fullest pool |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   for (const std::string& path : reports) {
     try {
       table += row_of(Json::parse(read_file(path)));

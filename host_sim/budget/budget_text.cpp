@@ -115,6 +115,10 @@ void write_frames(std::ostream& out, const BudgetReport& budget) {
     write_rates(out, "of the worst frame", report.worst_rate);
     out << "  " << report.bytes << " bytes a frame at " << budget.run.panel->wire_hz / 1'000'000.0
         << " MHz; the core works in " << std::setprecision(0) << 100 * report.overlap << " % of the wire's time\n";
+    if (report.pace != 0) {
+      out << "  " << std::setprecision(3) << report.pace
+          << " times the longer of computing and sending each line, and what comes before, at most\n";
+    }
   }
   write_lines(out, report);
   out << "by stage:\n        cycles   a frame  share  waiting\n";

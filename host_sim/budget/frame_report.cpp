@@ -61,6 +61,13 @@ std::optional<FrameReport::WorstLine> worst_line(const std::vector<FrameRecord>&
   return worst;
 }
 
+// Of a frame's time what no overlap can save: all before the first line, and the longer of each line's two parts.
+std::uint64_t least_time(const FrameRecord& frame) {
+  std::uint64_t time = busy(frame.prepare);
+  for (const FrameRecord::Line& line : frame.lines) time += std::max(busy(line.count), line.end - line.begin);
+  return time;
+}
+
 FrameReport::Rate rate_of(double compute, double wire, double time, double frames, std::uint32_t kilohertz) {
   const auto rate = [&](double cycles) { return cycles > 0 ? frames * kilohertz * 1000.0 / cycles : 0.0; };
   return {rate(compute), rate(wire), rate(time)};
@@ -94,6 +101,10 @@ std::optional<FrameReport> frame_report(const RunReport& run, std::uint32_t kilo
     overlapped += frame.overlapped;
     time += frame.end - frame.begin;
     report.bytes = std::max(report.bytes, frame.bytes);
+    if (run.timed && !frame.lines.empty()) {
+      report.pace =
+          std::max(report.pace, static_cast<double>(frame.end - frame.begin) / static_cast<double>(least_time(frame)));
+    }
   }
   report.cycles = spread_of(cycles);
   report.instructions = spread_of(instructions);

@@ -46,6 +46,9 @@ struct FrameReport {
   Rate rate;                          // of the whole animation
   Rate worst_rate;                    // of its worst frame
   double overlap = 0;                 // part of the wire's time in which the core works
+  // The most that a frame took of what it would if nothing but the longer of computing and sending each line, and what
+  // comes before the first, took time. 0 without lines or a cycle model.
+  double pace = 0;
   std::uint64_t bytes = 0;            // a frame, on the wire
   std::vector<Line> lines;            // of the worst frame
   std::optional<std::uint32_t> ring;  // line buffers with which the wire never waits in the worst frame

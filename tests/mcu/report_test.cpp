@@ -1,6 +1,7 @@
 // The parts of a run's account: calls, waiting, stalls, names.
 #include <gtest/gtest.h>
 
+#include "budget/frame_report.hpp"
 #include "budget/plain_name.hpp"
 #include "mcu/frame_recorder.hpp"
 #include "mcu/ledger.hpp"
@@ -46,6 +47,26 @@ TEST(WaitFinder, CountsALoopWithTwoQuestionsOnce) {
     }
   }
   EXPECT_EQ(waited, 94u);
+}
+
+// 5 before the first line; a line that computes longer than it sends, and one the other way round: 5 + 20 + 30.
+TEST(FrameReport, HoldsAFrameAgainstWhatNoOverlapCanSave) {
+  FrameRecord frame;
+  frame.prepare = {5, 5, 0, 0};
+  frame.lines.resize(2);
+  frame.lines[0].count = {20, 24, 0, 4};
+  frame.lines[0].end = 10;
+  frame.lines[1].count = {20, 18, 2, 0};
+  frame.lines[1].begin = 10;
+  frame.lines[1].end = 40;
+  frame.count = {45, 47, 2, 4};
+  frame.end = 66;
+  RunReport run;
+  run.frames = {frame, frame};
+  run.frames[1].end = 55;
+  EXPECT_EQ(frame_report(run, 1000)->pace, 0);
+  run.timed = true;
+  EXPECT_DOUBLE_EQ(frame_report(run, 1000)->pace, 66.0 / 55);
 }
 
 // Two bands of two lines; of the second line nothing is sent, of the third four bytes by DMA while the fourth is made.
