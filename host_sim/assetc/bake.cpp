@@ -25,30 +25,45 @@ bool is_mirrored(const Placement& place) { return dot(place.rows[0], cross(place
 
 std::size_t surface_count(const MeshSource& mesh) { return mesh.faces.size() - mesh.parents.size(); }
 
-// Everything that may throw a shadow, in the world.
-std::vector<Occluder> occluders_of(const SceneDescription& scene, std::int64_t frame) {
-  std::vector<Occluder> all;
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const InstanceSpec& instance = scene.instances[i];
+// Everything that throws shadows and takes light: the faces of one instance after those of another.
+struct LitScene {
+  std::vector<LitFace> faces;
+  std::vector<std::size_t> first;  // of each instance
+};
+
+LitScene lit_scene(const SceneDescription& scene, std::int64_t frame) {
+  LitScene all;
+  for (const InstanceSpec& instance : scene.instances) {
+    all.first.push_back(all.faces.size());
     if (!takes_part(scene, instance)) continue;
     const Placement place = instance.placement(frame);
     const MeshSource& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     for (std::size_t f = 0; f < surface_count(mesh); ++f) {
-      Occluder occluder{i, f, rings_of(mesh, mesh.faces[f]), material_of(scene, instance, mesh.faces[f]).transmission};
-      for (Ring3& ring : occluder.rings) {
+      LitFace face{rings_of(mesh, mesh.faces[f]),
+                   FacePlane::of(mesh, mesh.faces[f]),
+                   {},
+                   material_of(scene, instance, mesh.faces[f]).transmission};
+      if (face.plane) face.own = face.plane->region(face.rings);
+      for (Ring3& ring : face.rings) {
         for (Vec3& p : ring) p = place(p);
       }
-      all.push_back(std::move(occluder));
+      all.faces.push_back(std::move(face));
     }
   }
   return all;
 }
 
 class Baker {
+  static constexpr double kGrazing = 1.0 / 256;  // such light is no grey level, and what it sees has no width
+  static constexpr double kCoarsest = FacePlane::kMargin / 8.0;
+
  public:
   Baker(const SceneDescription& scene, std::int64_t frame)
-      : scene_(scene), out_(scene), frame_(frame), clipper_(scene.place), occluders_(occluders_of(scene, frame)) {
-    for (const LightSpec& light : *scene.lights) directions_.push_back(unit_or(light.direction, {0, 0, -1}));
+      : scene_(scene), out_(scene), frame_(frame), clipper_(scene.place), lit_(lit_scene(scene, frame)) {
+    for (const LightSpec& light : *scene.lights) {
+      directions_.push_back(unit_or(light.direction, {0, 0, -1}));
+      views_.push_back(find_lit_parts(lit_.faces, directions_.back(), scene.place));
+    }
   }
 
   SceneDescription run() {
@@ -84,36 +99,25 @@ class Baker {
     const auto name = [&](const MeshFace& of, const ReachRecord& reach) {
       return material_with(material_of(scene_, instance, of), reach);
     };
-    const std::optional<FacePlane> plane = FacePlane::of(mesh, mesh.faces[face]);
-    const bool lit = material_of(scene_, instance, mesh.faces[face]).shading != Shading::kUnlit;
-    if (!plane || !lit) return baked.keep(face, name);
-    ShadowParts parts(plane->region(rings_of(mesh, mesh.faces[face])), *plane, clipper_);
+    const LitFace& lit = lit_.faces[lit_.first[index] + face];
+    const Shading shading = material_of(scene_, instance, mesh.faces[face]).shading;
+    if (!lit.plane || shading == Shading::kUnlit) return baked.keep(face, name);
+    ShadowParts parts(lit.own, *lit.plane, clipper_);
     for (std::size_t l = 0; l < directions_.size(); ++l) {
-      if (!instance.cull || faces_light(*plane, place, directions_[l]) ||
-          material_of(scene_, instance, mesh.faces[face]).shading == Shading::kGouraud) {
-        throw_onto(index, face, *plane, place, l, parts);
-      }
+      const double slope = slope_to(*lit.plane, place, directions_[l]);
+      if (instance.cull && slope <= 0 && shading != Shading::kGouraud) continue;
+      if (std::fabs(slope) < kGrazing) continue;
+      const double own = length(place.turn(lit.plane->right()));
+      const auto grain = std::lround(std::min(kCoarsest, 1 + 2 * views_[l].unit / (own * std::fabs(slope))));
+      parts.add_light(l, views_[l].of_face[lit_.first[index] + face], static_cast<std::int32_t>(grain));
     }
-    baked.add(face, *plane, parts.finish(), name);
+    baked.add(face, *lit.plane, parts.finish(), name);
   }
 
-  // Whether the light falls on the side that is seen.
-  static bool faces_light(const FacePlane& plane, const Placement& place, Vec3 direction) {
-    const Vec3 normal = cross(place.turn(plane.right()), place.turn(plane.up()));
-    return (dot(normal, direction) < 0) != is_mirrored(place);
-  }
-
-  void throw_onto(std::size_t instance, std::size_t face, const FacePlane& plane, const Placement& place,
-                  std::size_t light, ShadowParts& parts) {
-    const std::optional<ShadowThrow> thrown = ShadowThrow::onto(plane, place, directions_[light]);
-    if (!thrown) return;
-    parts.begin_light(light);
-    for (const Occluder& occluder : occluders_) {
-      if (occluder.instance == instance && occluder.face == face) continue;
-      const Region shadow = thrown->shadow(occluder.rings);
-      if (!shadow.empty()) parts.shade(shadow, occluder.transmission);
-    }
-    parts.end_light();
+  // The cosine between the way to the light and the face's normal on the side that is seen.
+  static double slope_to(const FacePlane& plane, const Placement& place, Vec3 direction) {
+    const Vec3 normal = unit_or(cross(place.turn(plane.right()), place.turn(plane.up())), {});
+    return is_mirrored(place) ? dot(normal, direction) : -dot(normal, direction);
   }
 
   // The number of `material` where the lights reach it so.
@@ -143,8 +147,9 @@ class Baker {
   SceneDescription out_;
   std::int64_t frame_;
   RegionClipper clipper_;
-  std::vector<Occluder> occluders_;
+  LitScene lit_;
   std::vector<Vec3> directions_;
+  std::vector<LitParts> views_;                // of each light
   std::map<std::int32_t, std::int32_t> kept_;  // meshes that came through as they were
   std::map<std::vector<std::uint8_t>, std::uint16_t> reaches_;
 };

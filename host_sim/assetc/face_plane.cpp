@@ -1,39 +1,14 @@
 #include "assetc/face_plane.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "assetc/polygon.hpp"
 
 namespace spanline::host {
 namespace {
 
-// A point thrown onto the plane: where, and how far the light has to go from it to the plane.
-struct Thrown {
-  double x, y, way;
-};
-
-// Keeps what of a ring lies where distance(p) >= 0; what runs along the border cancels itself out.
-template <typename Distance>
-void keep_half(std::vector<Thrown>& ring, Distance distance) {
-  std::vector<Thrown> kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Thrown& a = ring[i];
-    const Thrown& b = ring[(i + 1) % ring.size()];
-    const double da = distance(a), db = distance(b);
-    if (da >= 0) kept.push_back(a);
-    if ((da >= 0) != (db >= 0)) {
-      const double t = da / (da - db);
-      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.way + t * (b.way - a.way)});
-    }
-  }
-  ring = std::move(kept);
-}
-
 std::int16_t to_grid(double value) { return static_cast<std::int16_t>(std::lround(value)); }
-
-bool beyond(const std::vector<Thrown>& ring, double edge) {
-  const auto all = [&ring](auto test) { return std::all_of(ring.begin(), ring.end(), test); };
-  return all([=](const Thrown& p) { return p.x < -edge; }) || all([=](const Thrown& p) { return p.x > edge; }) ||
-         all([=](const Thrown& p) { return p.y < -edge; }) || all([=](const Thrown& p) { return p.y > edge; });
-}
 
 // The square of side 2 * margin moved along an edge: what is no further from it than the margin, in x and in y.
 GridRing swept_square(area::GridPoint a, area::GridPoint b, std::int32_t margin) {
@@ -48,6 +23,24 @@ GridRing swept_square(area::GridPoint a, area::GridPoint b, std::int32_t margin)
   }
   return {at(a.x - m, a.y - m), at(a.x - m, a.y + m), at(a.x + m, a.y + m),
           at(b.x + m, b.y + m), at(b.x + m, b.y - m), at(b.x - m, b.y - m)};
+}
+
+// Whether `found` is true of an edge.
+template <typename Found>
+bool any_edge(const Region& region, Found found) {
+  for (const GridRing& ring : region) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (found(ring[i], ring[(i + 1) % ring.size()])) return true;
+    }
+  }
+  return false;
+}
+
+// Whether a point lies no further than `reach` from an edge.
+bool is_near(area::GridPoint from, area::GridPoint to, area::GridPoint p, std::int32_t reach) {
+  const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+  const double share = square > 0 ? std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(from.x + share * dx - p.x, from.y + share * dy - p.y) <= reach;
 }
 
 }  // namespace
@@ -98,7 +91,7 @@ std::optional<FacePlane> FacePlane::of(const MeshSource& mesh, const MeshFace& f
 area::GridPoint FacePlane::grid_point(Vec3 p) const {
   const Vec3 d = p - origin_;
   const double square = dot(right_, right_);
-  const auto held = [](double v) { return std::clamp(v, double{-kWindow}, double{kWindow}); };
+  const auto held = [](double v) { return std::clamp(v, double{-kReach - kMargin}, double{kReach + kMargin}); };
   return {to_grid(held(dot(right_, d) / square)), to_grid(held(dot(up_, d) / square))};
 }
 
@@ -111,53 +104,19 @@ Region FacePlane::region(const std::vector<Ring3>& rings) const {
   return region;
 }
 
-Region FacePlane::with_margin(const Region& region, RegionClipper& clipper) const {
-  Region wide = region;
-  for (const GridRing& ring : region) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      wide = clipper.unite(wide, {swept_square(ring[i], ring[(i + 1) % ring.size()], kMargin)});
-    }
-  }
+Region FacePlane::margin_along(const Region& region, const Region& face, std::int32_t margin, RegionClipper& clipper) {
+  const std::int32_t reach = std::min(margin, kMargin / 8);
+  const auto along = [&](area::GridPoint a, area::GridPoint b) {
+    return any_edge(face, [&](area::GridPoint from, area::GridPoint to) {
+      return is_near(from, to, a, reach) && is_near(from, to, b, reach);
+    });
+  };
+  Region wide;
+  any_edge(region, [&](area::GridPoint a, area::GridPoint b) {
+    if (along(a, b)) wide = clipper.unite(wide, {swept_square(a, b, margin)});
+    return false;
+  });
   return wide;
-}
-
-std::optional<ShadowThrow> ShadowThrow::onto(const FacePlane& plane, const Placement& place, Vec3 direction) {
-  constexpr double kGrazing = 1e-4;  // sine of the angle between light and plane: nothing is lit by such a light
-  constexpr double kInPlane = 0.5;   // grid units
-  const Vec3 right = place.turn(plane.right()), up = place.turn(plane.up());
-  const Vec3 normal = cross(right, up);
-  const double volume = -dot(normal, direction);  // of right, up and the way against the light
-  if (!(std::fabs(volume) > kGrazing * length(normal))) return std::nullopt;
-  ShadowThrow out;
-  out.origin_ = place(plane.origin());
-  // p = x * right + y * up - way * direction, by Cramer's rule.
-  const Vec3 back = -1.0 * direction;
-  out.to_x_ = (1 / volume) * cross(up, back);
-  out.to_y_ = (1 / volume) * cross(back, right);
-  out.to_way_ = (1 / volume) * normal;
-  out.nearest_ = kInPlane * std::min(length(right), length(up)) * length(normal) / std::fabs(volume);
-  return out;
-}
-
-Region ShadowThrow::shadow(const std::vector<Ring3>& rings) const {
-  Region region;
-  for (const Ring3& ring : rings) {
-    std::vector<Thrown> thrown;
-    for (const Vec3& p : ring) {
-      const Vec3 d = p - origin_;
-      thrown.push_back({dot(to_x_, d), dot(to_y_, d), dot(to_way_, d)});
-    }
-    constexpr double kEdge = FacePlane::kWindow;
-    keep_half(thrown, [this](const Thrown& p) { return p.way - nearest_; });
-    if (thrown.size() < 3 || beyond(thrown, kEdge)) continue;
-    keep_half(thrown, [](const Thrown& p) { return p.x + kEdge; });
-    keep_half(thrown, [](const Thrown& p) { return kEdge - p.x; });
-    keep_half(thrown, [](const Thrown& p) { return p.y + kEdge; });
-    keep_half(thrown, [](const Thrown& p) { return kEdge - p.y; });
-    GridRing& points = region.emplace_back();
-    for (const Thrown& p : thrown) points.push_back({to_grid(p.x), to_grid(p.y)});
-  }
-  return region;
 }
 
 }  // namespace spanline::host

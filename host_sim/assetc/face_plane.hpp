@@ -1,4 +1,4 @@
-// The plane of a face as a whole-number grid, and what is thrown onto it along a light.
+// The plane of a face as a whole-number grid.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,6 @@ class FacePlane {
  public:
   static constexpr std::int32_t kReach = 30000;  // units: no corner of the face is further from the origin in x or y
   static constexpr std::int32_t kMargin = 480;   // units: about a hundredth of the face
-  static constexpr std::int32_t kWindow = kReach + 2 * kMargin;  // what lies further out does not matter
 
   // Nothing where the face has no area.
   static std::optional<FacePlane> of(const MeshSource& mesh, const MeshFace& face);
@@ -35,26 +34,12 @@ class FacePlane {
   area::GridPoint grid_point(Vec3 p) const;
   Region region(const std::vector<Ring3>& rings) const;
 
-  // The region and a margin round it.
-  Region with_margin(const Region& region, RegionClipper& clipper) const;
+  // What lies no further than `margin`, in x and in y, from those edges of `region` that run along the outline of
+  // `face`, or no further from it than the margin and kMargin / 8.
+  static Region margin_along(const Region& region, const Region& face, std::int32_t margin, RegionClipper& clipper);
 
  private:
   Vec3 origin_, right_, up_;
-};
-
-// Throws polygons of the world along a light onto the plane of a face that `place` puts into the world.
-class ShadowThrow {
- public:
-  // Nothing where the light travels along the plane. `direction` is of unit length.
-  static std::optional<ShadowThrow> onto(const FacePlane& plane, const Placement& place, Vec3 direction);
-
-  // The shadow of a polygon (world) within the window; what lies in the plane or behind it throws none.
-  Region shadow(const std::vector<Ring3>& rings) const;
-
- private:
-  Vec3 origin_;                // world
-  Vec3 to_x_, to_y_, to_way_;  // rows: a world point less the origin to grid x, grid y and its way along the light
-  double nearest_ = 0;         // ways below are in the plane
 };
 
 }  // namespace spanline::host

@@ -1,5 +1,7 @@
 #include "assetc/region.hpp"
 
+#include <cmath>
+
 #include "assetc/input_error.hpp"
 
 namespace spanline::host {
@@ -90,6 +92,23 @@ std::vector<GridPolygon> RegionClipper::polygons(const Region& region) {
   Polygons polygons;
   clipper_.read(area::List::inside, polygons);
   return std::move(polygons.all);
+}
+
+Region RegionClipper::without_slivers(const Region& region, std::int32_t width) {
+  Region kept;
+  for (GridPolygon& polygon : polygons(region)) {
+    double around = 0;
+    for (const GridRing& ring : polygon) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const area::GridPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+        around += std::hypot(b.x - a.x, b.y - a.y);
+      }
+    }
+    // A long strip is as wide as its area by half of its border.
+    if (static_cast<double>(doubled_area(polygon)) < width * around) continue;
+    for (GridRing& ring : polygon) kept.push_back(std::move(ring));
+  }
+  return kept;
 }
 
 }  // namespace spanline::host

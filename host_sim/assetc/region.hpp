@@ -32,6 +32,9 @@ class RegionClipper {
   Split split(const Region& subject, const Region& clip);
   Region unite(const Region& a, const Region& b);
 
+  // Less those of its polygons that are narrower than `width` on average.
+  Region without_slivers(const Region& region, std::int32_t width);
+
   // The region as polygons that touch neither themselves nor each other but in points.
   std::vector<GridPolygon> polygons(const Region& region);
 

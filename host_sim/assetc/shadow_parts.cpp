@@ -7,83 +7,64 @@ namespace {
 
 constexpr std::uint8_t kAll = 255;
 
-// Less than a hundredth of a unit along a whole face: rounding, nothing to be seen.
-constexpr std::int64_t kDust = 2 * 600;
-
-bool overlap(const Region& a, const Region& b) {
-  const auto span = [](const Region& region, auto coordinate) {
-    std::pair<int, int> range(INT16_MAX, INT16_MIN);
-    for (const GridRing& ring : region) {
-      for (const area::GridPoint& p : ring) {
-        range.first = std::min<int>(range.first, coordinate(p));
-        range.second = std::max<int>(range.second, coordinate(p));
-      }
-    }
-    return range;
-  };
-  const auto meet = [&](auto coordinate) {
-    const auto [a_low, a_high] = span(a, coordinate);
-    const auto [b_low, b_high] = span(b, coordinate);
-    return a_low < b_high && b_low < a_high;
-  };
-  return meet([](const area::GridPoint& p) { return p.x; }) && meet([](const area::GridPoint& p) { return p.y; });
-}
-
 }  // namespace
 
 ShadowParts::ShadowParts(Region face, const FacePlane& plane, RegionClipper& clipper)
-    : face_(std::move(face)), clipper_(clipper) {
+    : face_(std::move(face)), plane_(plane), clipper_(clipper) {
   Reach whole;
   whole.fill({kAll, kAll, kAll});
-  parts_[whole] = plane.with_margin(face_, clipper_);
+  parts_[whole] = clipper_.unite(face_, plane.margin_along(face_, face_, FacePlane::kMargin, clipper_));
 }
 
-template <typename Key>
-void ShadowParts::add(std::map<Key, Region>& to, const Key& key, const Region& region) {
-  if (doubled_area(region) < kDust) return;
-  Region& all = to[key];
-  all = all.empty() ? region : clipper_.unite(all, region);
-}
+Region ShadowParts::joined(const Region& a, const Region& b) { return a.empty() ? b : clipper_.unite(a, b); }
 
-void ShadowParts::begin_light(std::size_t light) {
-  light_ = light;
-  lit_.clear();
-  Region whole;
-  for (const auto& [reach, region] : parts_) whole = whole.empty() ? region : clipper_.unite(whole, region);
-  lit_[{kAll, kAll, kAll}] = std::move(whole);
-}
-
-void ShadowParts::shade(const Region& shadow, Color transmission) {
-  std::map<Part, Region> after;
-  for (const auto& [part, region] : lit_) {
-    if (part == Part{} || !overlap(region, shadow)) {
-      add(after, part, region);
-      continue;
-    }
-    const auto [inside, outside] = clipper_.split(region, shadow);
-    const auto through = [](unsigned light, unsigned glass) {
-      return static_cast<std::uint8_t>((light * glass + 127) / 255);
-    };
-    add(after, part, outside);
-    add(after,
-        Part{through(part[0], transmission.r), through(part[1], transmission.g), through(part[2], transmission.b)},
-        inside);
+// The face among the parts of one light, dark ones last but one and the largest lit one last. All but that reach into
+// the margin; it gets what the others leave, so no crack opens between what was rounded apart.
+ShadowParts::Shared ShadowParts::share(const std::vector<LitPart>& lit, std::int32_t grain) {
+  std::map<Part, Region> regions;
+  for (const LitPart& part : lit) {
+    Region& all = regions[{part.light.r, part.light.g, part.light.b}];
+    all = joined(all, part.region);
   }
-  lit_ = std::move(after);
+  Region dark = face_;
+  for (const auto& [part, region] : regions) {
+    dark = clipper_.split(dark, region).outside;
+    dark = clipper_.split(dark, plane_.margin_along(region, face_, grain, clipper_)).outside;
+  }
+  dark = clipper_.without_slivers(dark, grain);
+  Shared shared(regions.begin(), regions.end());
+  std::stable_sort(shared.begin(), shared.end(),
+                   [](const auto& a, const auto& b) { return doubled_area(a.second) < doubled_area(b.second); });
+  if (!dark.empty() || shared.empty()) shared.insert(shared.begin(), {Part{}, std::move(dark)});
+  for (std::size_t i = 0; i + 1 < shared.size(); ++i) {
+    Region& region = shared[i].second;
+    region =
+        joined(region, clipper_.split(plane_.margin_along(region, face_, FacePlane::kMargin, clipper_), face_).outside);
+  }
+  return shared;
 }
 
-void ShadowParts::end_light() {
-  if (lit_.size() == 1 && lit_.begin()->first == Part{kAll, kAll, kAll}) return;
+void ShadowParts::add_light(std::size_t light, const std::vector<LitPart>& lit, std::int32_t grain) {
+  grain_ = std::max(grain_, grain);
+  divide(light, share(lit, grain));
+}
+
+void ShadowParts::divide(std::size_t light, const Shared& shared) {
   std::map<Reach, Region> after;
+  const auto add = [&](Reach reach, const Part& part, const Region& region) {
+    if (region.empty()) return;
+    reach[light] = part;
+    Region& all = after[reach];
+    all = joined(all, region);
+  };
   for (const auto& [reach, region] : parts_) {
     Region rest = region;
-    for (const auto& [part, where] : lit_) {
-      Reach key = reach;
-      key[light_] = part;
-      RegionClipper::Split split = clipper_.split(rest, where);
-      add(after, key, split.inside);
+    for (std::size_t i = 0; i + 1 < shared.size(); ++i) {
+      RegionClipper::Split split = clipper_.split(rest, shared[i].second);
+      add(reach, shared[i].first, split.inside);
       rest = std::move(split.outside);
     }
+    add(reach, shared.back().first, rest);
   }
   parts_ = std::move(after);
 }
@@ -91,11 +72,11 @@ void ShadowParts::end_light() {
 std::vector<ShadowPart> ShadowParts::finish() {
   std::vector<std::pair<std::int64_t, ShadowPart>> seen;
   for (auto& [reach, region] : parts_) {
-    const std::int64_t size = doubled_area(clipper_.split(face_, region).inside);
-    if (size < kDust) continue;
+    const Region inside = clipper_.without_slivers(clipper_.split(face_, region).inside, grain_);
+    if (inside.empty()) continue;
     ShadowPart part{{}, std::move(region)};
     for (std::size_t l = 0; l < reach.size(); ++l) part.reach.light[l] = {reach[l][0], reach[l][1], reach[l][2]};
-    seen.emplace_back(size, std::move(part));
+    seen.emplace_back(doubled_area(inside), std::move(part));
   }
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<ShadowPart> parts;

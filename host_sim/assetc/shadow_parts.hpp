@@ -5,16 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "assetc/face_plane.hpp"
+#include "assetc/lit_parts.hpp"
 
 namespace spanline::host {
-
-// A polygon that throws a shadow.
-struct Occluder {
-  std::size_t instance, face;
-  std::vector<Ring3> rings;  // world
-  Color transmission;        // black: opaque
-};
 
 // A part of a face, on its grid, and what of each light reaches it.
 struct ShadowPart {
@@ -27,10 +20,8 @@ class ShadowParts {
   // `face` is the region of the face on the plane's grid.
   ShadowParts(Region face, const FacePlane& plane, RegionClipper& clipper);
 
-  // For each light once: the shadows that polygons throw in it, in any order.
-  void begin_light(std::size_t light);
-  void shade(const Region& shadow, Color transmission);
-  void end_light();
+  // What a light sees of the face; for each light once. `grain`: units of the plane's grid that a point may be off.
+  void add_light(std::size_t light, const std::vector<LitPart>& lit, std::int32_t grain);
 
   // The parts that lie on the face, the largest first.
   std::vector<ShadowPart> finish();
@@ -38,15 +29,17 @@ class ShadowParts {
  private:
   using Part = std::array<std::uint8_t, 3>;  // of one light, a channel
   using Reach = std::array<Part, kMaxLights>;
+  using Shared = std::vector<std::pair<Part, Region>>;  // of a face
 
-  template <typename Key>
-  void add(std::map<Key, Region>& to, const Key& key, const Region& region);
+  Shared share(const std::vector<LitPart>& lit, std::int32_t grain);
+  Region joined(const Region& a, const Region& b);
+  void divide(std::size_t light, const Shared& shared);
 
   Region face_;
+  const FacePlane& plane_;
   RegionClipper& clipper_;
-  std::map<Reach, Region> parts_;
-  std::size_t light_ = 0;
-  std::map<Part, Region> lit_;  // of the light in hand: all of the face and its margin
+  std::map<Reach, Region> parts_;  // of the face and its margin
+  std::int32_t grain_ = 1;         // of all lights the coarsest
 };
 
 }  // namespace spanline::host

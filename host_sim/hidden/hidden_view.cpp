@@ -4,37 +4,11 @@
 #include <tuple>
 
 #include "assetc/input_error.hpp"
+#include "assetc/sort_memory.hpp"
 #include "core/area/window_sort.hpp"
 
 namespace spanline::host {
 namespace {
-
-// Pools as large as 16-bit indices allow.
-class HeapPools {
- public:
-  area::SortPools refs() {
-    return {ref(polygons_), ref(borders_), ref(pieces_),
-            ref(films_),    ref(frames_),  {ref(segments_), ref(nodes_), ref(edges_), ref(contours_)}};
-  }
-
- private:
-  static constexpr std::size_t kMost = UINT16_MAX;
-
-  template <typename T>
-  static PoolRef<T> ref(std::vector<T>& blocks) {
-    return {blocks.data(), static_cast<std::uint16_t>(blocks.size() - 1)};
-  }
-
-  std::vector<area::NamedPolygon> polygons_{kMost};
-  std::vector<area::BorderEdge> borders_{kMost};
-  std::vector<area::Piece> pieces_{kMost};
-  std::vector<area::Film> films_{kMost};
-  std::vector<area::SortFrame> frames_{kMost};
-  std::vector<area::Segment> segments_{kMost};
-  std::vector<area::Node> nodes_{kMost};
-  std::vector<area::Edge> edges_{std::size_t{area::kMaxEdges} + 1};
-  std::vector<area::Contour> contours_{kMost};
-};
 
 struct Collect {
   std::vector<VisiblePolygon>& polygons;
@@ -90,7 +64,7 @@ std::tuple<std::uint16_t, std::uint8_t, std::uint8_t, std::uint8_t> key_of(const
 }  // namespace
 
 HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window) {
-  HeapPools pools;
+  SortMemory pools;
   std::vector<std::uint16_t> names(UINT16_MAX);
   area::AreaSort sort(pools.refs());
   area::WindowSort<FacetList> windows(sort, {names.data(), UINT16_MAX - 1}, window);

@@ -41,6 +41,13 @@ TEST(AreaSort, TheFrontPolygonCutsAHoleIntoWhatLiesBehind) {
   for (const VisiblePiece& piece : sorted.pieces) EXPECT_EQ(piece.polygon.holes.size(), piece.source == 4 ? 1u : 0u);
 }
 
+TEST(AreaSort, CornersThatRepeatAtTheStartSpanAPlaneAllTheSame) {
+  const Sorted sorted = sort({{3, {{{0, 0}, {0, 0}, {0, 0}, {0, 100}, {100, 100}, {100, 0}}}, kOne, 0, 9 * kOne}});
+  EXPECT_EQ(sorted.counts.dropped, 0u);
+  EXPECT_EQ(area_of(sorted.pieces, 3), 10000);
+  EXPECT_EQ(sorted.pieces.at(0).plane.along_x, kOne);
+}
+
 TEST(AreaSort, AnErrorOfTheFirstSortIsMendedByRecursion) {
   // Seed 2, Fig. 3: the large one comes nearest at its far end, the small one lies before it.
   const SortPolygon slope{0, {box(0, 0, 1000, 100)}, 100 * kOne, 0, 0};

@@ -38,9 +38,9 @@ inline constexpr Picture kPictures[] = {
     {"gauges-wide-60", demos::gauges, 60, kWide, 0x98c4a1c3},
     {"gauges-tall-3000000", demos::gauges, 3000000, kTall, 0x7503777f},
     {"gauges-oled-120", demos::gauges, 120, kOled, 0xc50d227d},
-    {"dice-oled-60", demos::dice, 60, kOled, 0xe21bbfcd},
+    {"dice-oled-60", demos::dice, 60, kOled, 0x3c1db39e},
     {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
-    {"panes-wide-30", demos::panes, 30, kWide, 0xf96b1d5f},
+    {"panes-wide-30", demos::panes, 30, kWide, 0x3450a3c7},
     {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
 };
 

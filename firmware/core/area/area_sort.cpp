@@ -102,14 +102,15 @@ bool AreaSort::divide(std::uint16_t index) {
 }
 
 // Step c of the seed for one piece inside the area: what lies behind an opaque clip polygon goes, what lies behind a
-// translucent one is marked. A translucent polygon's own pieces are not needed any more: all behind it bears its mark.
+// translucent one is marked. A translucent polygon's own pieces are not needed any more, unless panes are shown: all
+// behind it bears its mark.
 bool AreaSort::keep_inside(std::uint16_t index) {
   SortFrame& frame = pools_.frames[depth_];
   const NamedPolygon& clip = pools_.polygons[frame.clip];
   Piece& piece = pieces_[index];
   const bool own = piece.name == frame.clip;
   if (!own) ++counts_.depth_tests;
-  if (own ? clip.opacity == Opacity::opaque : nearer(piece, frame.clip)) {
+  if (own ? clip.opacity == Opacity::opaque || panes_ == Panes::shown : nearer(piece, frame.clip)) {
     if (!own && polygon_of(piece).on_stack) ++counts_.cyclic;
     append(frame.inside, index);
     return true;

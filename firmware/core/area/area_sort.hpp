@@ -11,13 +11,14 @@
 // half a unit in x and y of where it should; one that was cut by a line (a window's side, or where polygons pierce)
 // within a unit.
 //
-// Translucent polygons are not drawn as pieces: whatever lies behind one names it among its films, and so does the
-// backdrop where nothing else lies there.
+// Translucent polygons are not drawn as pieces, unless that is asked for: whatever lies behind one names it among its
+// films, and so does the backdrop where nothing else lies there.
 #pragma once
 
 #include "core/area/borders.hpp"
 #include "core/area/clipper.hpp"
 #include "core/area/plane.hpp"
+#include "core/area/widest_triangle.hpp"
 
 namespace spanline::area {
 
@@ -26,6 +27,10 @@ inline constexpr std::uint16_t kBackdrop = 0xffff;  // the source of pieces with
 inline constexpr std::uint16_t kBackdropGroup = 0xffff;
 
 enum class Opacity : std::uint8_t { opaque, translucent };
+
+// What becomes of translucent polygons: they are named by what lies behind them; or they are pieces, too, which what
+// lies behind them overlaps, and name what translucent polygons lie before them.
+enum class Panes : std::uint8_t { named, shown };
 
 // A polygon under its name (its index), whose border is the original copy that others are clipped to.
 struct NamedPolygon {
@@ -113,7 +118,7 @@ struct Slab {
 class AreaSort {
  public:
   AreaSort() = default;
-  explicit AreaSort(const SortPools& pools);
+  explicit AreaSort(const SortPools& pools, Panes panes = Panes::named);
 
   // Begins anew. What lies outside of the window and of the slab is cut away.
   void clear(const Box& window = Box::all(), const Slab& slab = {});
@@ -152,6 +157,7 @@ class AreaSort {
 
   const Status& status() const { return status_; }
   const SortCounts& counts() const { return counts_; }
+  Panes panes() const { return panes_; }
 
   // Hands the visible pieces to `sink`, ordered by nothing in particular but always the same: begin_piece(source,
   // plane); film(source) from front to back; main contour, then its holes: begin_contour(), vertex(GridPoint)…,
@@ -160,7 +166,6 @@ class AreaSort {
   void read(Sink& sink) const;
 
  private:
-  void read_plane_corner(GridPoint at, std::int32_t depth);
   void refuse(const char* field, std::int32_t value, std::int32_t limit);
   bool exhausted(const char* pool, std::uint16_t capacity, std::uint16_t source);
   bool borders_fit(std::uint16_t source);
@@ -211,6 +216,7 @@ class AreaSort {
   Slab slab_;
   Status status_;
   SortCounts counts_;
+  Panes panes_ = Panes::named;
   bool translucent_ = false;              // some polygon is
   std::uint16_t host_ = 0;                // the polygon that detail would lie on, 0: it is not seen
   bool detail_ = false;                   // what is being put in
@@ -222,9 +228,9 @@ class AreaSort {
   Opacity opacity_ = Opacity::opaque;
   Border border_;
   GridPoint start_, last_;
-  std::uint32_t corners_ = 0, plane_corners_ = 0;  // of the contour; of the triangle for the plane
-  GridPoint plane_at_[3];
-  std::int32_t plane_depth_[3];
+  std::uint32_t corners_ = 0;  // of the contour
+  WidestTriangle widest_;
+  std::int32_t widest_depth_[3];
   Plane given_plane_;
   bool plane_given_ = false;
 };

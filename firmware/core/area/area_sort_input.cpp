@@ -4,8 +4,14 @@
 #include "core/area/sort.hpp"
 
 namespace spanline::area {
-AreaSort::AreaSort(const SortPools& pools)
-    : pools_(pools), clipper_(pools.clipper), borders_(pools.borders), pieces_(pools.pieces), films_(pools.films) {
+
+AreaSort::AreaSort(const SortPools& pools, Panes panes)
+    : pools_(pools),
+      clipper_(pools.clipper),
+      borders_(pools.borders),
+      pieces_(pools.pieces),
+      films_(pools.films),
+      panes_(panes) {
   pools_.polygons.limit(UINT16_MAX - 1);
 }
 
@@ -48,7 +54,7 @@ void AreaSort::begin_polygon(std::uint16_t source, Opacity opacity) {
   source_ = source;
   opacity_ = opacity;
   border_ = {};
-  plane_corners_ = 0;
+  widest_.clear();
   plane_given_ = detail_ = false;
 }
 
@@ -69,7 +75,7 @@ void AreaSort::vertex(std::int32_t x, std::int32_t y, std::int32_t depth) {
   if (!within(y, -kMaxCoordinate, kMaxCoordinate)) return refuse("y", y, kMaxCoordinate);
   if (!within(depth, 0, kMaxDepth)) return refuse("depth", depth, kMaxDepth);
   const GridPoint at{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
-  read_plane_corner(at, depth);
+  if (const unsigned place = widest_.take(at); place != WidestTriangle::kNone) widest_depth_[place] = depth;
   if (corners_++ == 0) {
     start_ = at;
   } else if (!(at == last_)) {
@@ -78,37 +84,15 @@ void AreaSort::vertex(std::int32_t x, std::int32_t y, std::int32_t depth) {
   last_ = at;
 }
 
-// Puts a corner in the place of one of the three where that makes the triangle larger.
-void AreaSort::read_plane_corner(GridPoint at, std::int32_t depth) {
-  if (plane_corners_ < 3) {
-    plane_at_[plane_corners_] = at;
-    plane_depth_[plane_corners_++] = depth;
-    return;
-  }
-  const auto size = [](std::int64_t area) { return area < 0 ? -area : area; };
-  std::int64_t most = size(orientation(plane_at_[0], plane_at_[1], plane_at_[2]));
-  unsigned best = 3;
-  for (unsigned i = 0; i < 3; ++i) {
-    const std::int64_t area = size(orientation(plane_at_[(i + 1) % 3], plane_at_[(i + 2) % 3], at));
-    if (area <= most) continue;
-    most = area;
-    best = i;
-  }
-  if (best == 3) return;
-  plane_at_[best] = at;
-  plane_depth_[best] = depth;
-}
-
 void AreaSort::end_contour() {
   if (corners_ > 1 && !(last_ == start_)) borders_.append(border_, last_, start_);
 }
 
 void AreaSort::end_polygon() {
   if (!detail_) host_ = 0;
-  const bool flat = plane_corners_ < 3 || orientation(plane_at_[0], plane_at_[1], plane_at_[2]) == 0;
-  if (flat) ++counts_.dropped;
-  if (flat || !status_.ok() || (detail_ && host_ == 0)) return borders_.release(border_);
-  const Plane plane = plane_given_ ? given_plane_ : Plane::through(plane_at_, plane_depth_);
+  if (widest_.flat()) ++counts_.dropped;
+  if (widest_.flat() || !status_.ok() || (detail_ && host_ == 0)) return borders_.release(border_);
+  const Plane plane = plane_given_ ? given_plane_ : Plane::through(widest_.corners(), widest_depth_);
   cut_to(borders_, border_, window_);
   const bool within = group_ == kBackdropGroup || cut_to_slab(plane);
   if (!borders_fit(source_)) return;
