@@ -27,9 +27,9 @@ constexpr std::int64_t kMaxFrame = 1'000'000'000;
 
 }  // namespace
 
-const std::vector<std::string> kPoolNames = {"facets",         "edges",   "polygons", "segments",
-                                             "samples",        "implied", "vertices", "patch_facets",
-                                             "patch_vertices", "curves",  "strands",  "layers"};
+const std::vector<std::string> kPoolNames = {"facets",  "edges",    "polygons",     "segments",       "samples",
+                                             "implied", "vertices", "patch_facets", "patch_vertices", "point_lines",
+                                             "curves",  "strands",  "layers"};
 
 std::pair<std::uint16_t, std::uint16_t> parse_size(const std::string& option, std::string_view text) {
   const std::vector<std::string_view> sides = split(text, 'x');
@@ -90,7 +90,7 @@ std::vector<PoolLimit> parse_pools(const std::string& option, std::string_view t
     if (std::find(kPoolNames.begin(), kPoolNames.end(), name) == kPoolNames.end()) {
       refuse(option, name,
              "one of facets, edges, polygons, segments, samples, implied, vertices, layers, "
-             "patch_facets, patch_vertices, curves, strands");
+             "patch_facets, patch_vertices, point_lines, curves, strands");
     }
     limits.push_back({name, static_cast<std::uint16_t>(parse_integer(option, part.substr(equals + 1), 0, 65534))});
   }

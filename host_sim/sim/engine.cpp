@@ -91,19 +91,26 @@ class FrameEngine final : public Engine {
   Statistics before_;
 };
 
-template <Comparator kComparator, Walker kWalker>
+template <Comparator kComparator, Walker kWalker, bool kPoints>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
-  constexpr FrameOptions kPlain{.comparator = kComparator, .patches = true, .layers = true, .walker = kWalker};
-  constexpr FrameOptions kObserved{
-      .comparator = kComparator, .statistics = true, .taps = true, .patches = true, .layers = true, .walker = kWalker};
+  constexpr FrameOptions kPlain{
+      .comparator = kComparator, .patches = true, .points = kPoints, .layers = !kPoints, .walker = kWalker};
+  constexpr FrameOptions kObserved{.comparator = kComparator,
+                                   .statistics = true,
+                                   .taps = true,
+                                   .patches = true,
+                                   .points = kPoints,
+                                   .layers = !kPoints,
+                                   .walker = kWalker};
   if (options.observe) return std::make_unique<FrameEngine<kObserved>>(options);
   return std::make_unique<FrameEngine<kPlain>>(options);
 }
 
 template <Comparator kComparator>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
-  return options.walker == Walker::segments ? make_engine<kComparator, Walker::segments>(options)
-                                            : make_engine<kComparator, Walker::both>(options);
+  if (options.surface == Surface::points) return make_engine<kComparator, Walker::segments, true>(options);
+  return options.walker == Walker::segments ? make_engine<kComparator, Walker::segments, false>(options)
+                                            : make_engine<kComparator, Walker::both, false>(options);
 }
 
 }  // namespace

@@ -19,11 +19,15 @@ struct FinishedLine {
   Slice<const std::uint8_t> wire;
 };
 
+// How patches are drawn.
+enum class Surface : std::uint8_t { dice, points };
+
 struct EngineOptions {
   std::uint16_t width = 320, height = 240;  // px
   PixelFormat format = PixelFormat::rgb565;
   Comparator comparator = Comparator::plane;
   Walker walker = Walker::segments;  // both: the edge walker where it can; never edges
+  Surface surface = Surface::dice;   // points: scenes with layers are refused
   std::uint16_t bands = 1;           // at least that many equal ones
   PoolSizes pools;
   bool observe = false;  // face and depth of every pixel, statistics

@@ -1,6 +1,16 @@
 #include "sim/host_memory.hpp"
 
+#include <algorithm>
+
 namespace spanline::host {
+namespace {
+
+template <typename T>
+Slice<T> slice_of(std::vector<T>& items) {
+  return {items.data(), static_cast<std::uint32_t>(items.size())};
+}
+
+}  // namespace
 
 std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "facets") return &facets;
@@ -15,6 +25,7 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "curves") return &curves;
   if (pool == "strands") return &strands;
   if (pool == "layers") return &layers;
+  if (pool == "point_lines") return &point_lines;
   return nullptr;
 }
 
@@ -64,6 +75,8 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
       levels_(sizes.vertices),
       looks_(1023),
       tables_(15),
+      points_of_band_(std::size_t{screen.width} * std::min(band_lines, sizes.point_lines)),
+      faces_of_points_(points_of_band_.size()),
       pieces_(sizes.curves),
       piece_buckets_(band_lines),
       strands_(sizes.strands),
@@ -93,7 +106,8 @@ FrameStorage HostMemory::storage() {
            faces_.ref(),
            levels_.ref()},
           {looks_.ref(), tables_.ref()},
-          &overlay_};
+          &overlay_,
+          {slice_of(points_of_band_), slice_of(faces_of_points_)}};
 }
 
 HostScanOutMemory::HostScanOutMemory(const Screen& screen, ScanPolicy policy, std::uint8_t window_bytes)

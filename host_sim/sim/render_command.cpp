@@ -1,5 +1,6 @@
 #include "sim/render_command.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "assetc/input_error.hpp"
@@ -16,6 +17,12 @@ Comparator parse_comparator(const std::string& text) {
   if (text == "plane") return Comparator::plane;
   if (text == "midpoint") return Comparator::midpoint;
   throw UsageError("--comparator: '" + printable(text) + "' is not one of plane, midpoint");
+}
+
+Surface parse_surface(const std::string& text) {
+  if (text == "dice") return Surface::dice;
+  if (text == "points") return Surface::points;
+  throw UsageError("--surface: '" + printable(text) + "' is not one of dice, points");
 }
 
 // In 1/16 px.
@@ -68,10 +75,12 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   verb_->add_option("--walker", walker_,
                     "what finds the visible spans: edges (default, where the scene has triangle meshes within the view "
                     "and neither --stats nor --comparator asks for the other) or segments");
+  verb_->add_option("--surface", surface_,
+                    "how patches are drawn: dice (default), or points, stepped off into a band with a depth buffer");
   verb_->add_option("--bands", bands_, "prepare the picture in at least so many equal bands");
   verb_->add_option("--pools", pools_,
                     "NAME=N,...: shrink facets, edges, polygons, segments, samples, implied, vertices, layers, "
-                    "patch_facets, patch_vertices, curves, strands");
+                    "patch_facets, patch_vertices, point_lines, curves, strands");
   verb_->add_option("--tolerance", tolerance_, "px that an edge of a diced patch may be off it (default: 0.5)");
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");
@@ -123,6 +132,11 @@ EngineOptions RenderCommand::engine_options(const SceneDescription& scene) const
   // The statistics are the segment walker's, and the comparators are two of its ways.
   options.walker = stats_ || comparator_ ? Walker::segments : Walker::both;
   if (walker_) options.walker = parse_walker(*walker_);
+  const auto of_patches = [](const MeshSource& mesh) { return mesh.of_patches(); };
+  if (surface_ && parse_surface(*surface_) == Surface::points &&
+      std::any_of(scene.meshes.begin(), scene.meshes.end(), of_patches)) {
+    options.surface = Surface::points;
+  }
   if (bands_) options.bands = static_cast<std::uint16_t>(parse_integer("--bands", *bands_, 1, kMaxExtent));
   if (tolerance_) options.pools.patch_tolerance = parse_tolerance(*tolerance_);
   if (pools_) {
@@ -188,7 +202,12 @@ void RenderCommand::run() const {
     scene.show(frame);
     if (panel) panel->begin_frame(scene.description().background);
     const SceneRecord record = scene.record();
-    const Status status = engine->render(validated(record, scene.description().place), scene.camera(), rendering);
+    const SceneView view = validated(record, scene.description().place);
+    if (options.surface == Surface::points && view.layered()) {
+      throw InputError(scene.description().place,
+                       "--surface points: surface detail and see-through polygons need --surface dice");
+    }
+    const Status status = engine->render(view, scene.camera(), rendering);
     if (!status.ok()) throw InputError(scene.description().place, status_text(status));
     if (!rendering.status.ok()) {
       progress.warn(scene.description().place + ": frame " + std::to_string(frame) + ": " +

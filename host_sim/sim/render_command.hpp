@@ -42,7 +42,7 @@ class RenderCommand {
   bool on_screen_ = false;
   std::optional<std::string> out_, ids_, depth_, stats_, expect_;
   PanelOptions panel_;
-  std::optional<std::string> frame_, frames_, comparator_, walker_, bands_, pools_, tolerance_, format_;
+  std::optional<std::string> frame_, frames_, comparator_, walker_, surface_, bands_, pools_, tolerance_, format_;
 };
 
 }  // namespace spanline::host

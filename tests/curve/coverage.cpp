@@ -55,6 +55,15 @@ void Coverage::add(const std::vector<Place>& polygon) {
   }
 }
 
+void Coverage::add(int x, int y) {
+  if (x < 0 || x >= width_ || y < 0 || y >= height_) return;
+  covered_[index(x, y)] = true;
+  left_ = std::min(left_, x);
+  right_ = std::max(right_, x + 1);
+  top_ = std::min(top_, y);
+  bottom_ = std::max(bottom_, y + 1);
+}
+
 bool Coverage::any_beside(int x, int y, bool wanted) const {
   const auto is = [&](int u, int v) {
     return u >= 0 && u < width_ && v >= 0 && v < height_ && covered(u, v) == wanted;
@@ -74,10 +83,10 @@ bool Coverage::covers(Place p) const {
   return false;
 }
 
-bool Coverage::covers_about(Place p) const {
-  for (int v = -8; v <= 8; ++v) {
-    for (int u = -8; u <= 8; ++u) {
-      if (u * u + v * v <= 64 && !covers({p.x + u / 8.0, p.y + v / 8.0})) return false;
+bool Coverage::covers_about(Place p, int eighths) const {
+  for (int v = -eighths; v <= eighths; ++v) {
+    for (int u = -eighths; u <= eighths; ++u) {
+      if (u * u + v * v <= eighths * eighths && !covers({p.x + u / 8.0, p.y + v / 8.0})) return false;
     }
   }
   return true;
@@ -104,12 +113,13 @@ double Coverage::distance_to_outlines(Place p) const {
   return nearest;
 }
 
-int Coverage::holes_against(const Coverage& other) const {
+int Coverage::holes_against(const Coverage& other, int inside) const {
   int count = 0;
   for (int y = other.top_; y < other.bottom_; ++y) {
     for (int x = other.left_; x < other.right_; ++x) {
-      if (covered(x, y) || !other.covered(x, y) || other.any_beside(x, y, false)) continue;
-      if (other.covers_about({x + 0.5, y + 0.5})) ++count;
+      if (covered(x, y) || !other.covered(x, y)) continue;
+      if (inside >= 8 && other.any_beside(x, y, false)) continue;
+      if (other.covers_about({x + 0.5, y + 0.5}, inside)) ++count;
     }
   }
   return count;

@@ -1,11 +1,13 @@
-// The diced teapot against a fine tessellation in floating point, patch by patch: no hole, and the outline within a
-// pixel. That neighbours leave no gap between them is dice_test's: there every joint is compared exactly.
+// The teapot, diced and stepped off as points, against a fine tessellation in floating point, patch by patch: no hole,
+// and the outline within a pixel. That neighbours leave no gap between them is dice_test's: there every joint is
+// compared exactly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/curve/point_rows.hpp"
 #include "curve/coverage.hpp"
 #include "curve/patch_scene.hpp"
 
@@ -60,6 +62,23 @@ void add_diced(const ClipPatch& patch, const PatchView& view, Coverage& out) {
   });
 }
 
+// The pixels of points, and what is filled between them.
+void add_points(const ClipPatch& patch, const PatchView& view, const Screen& screen, Coverage& out) {
+  PieceCutter cutter(patch, view.projection, {0, screen.height, screen.width}, false);
+  for (ScreenPiece piece; cutter.next(piece);) {
+    PointPixel points[2][kMostPieceSteps + 1];
+    PointRows rows(piece);
+    for (std::uint32_t i = 0; i <= piece.rows; ++i, rows.step()) {
+      const PointPixel* const above = points[(i + 1) % 2];
+      PointPixel* const below = points[i % 2];
+      rows.step_off(below);
+      for (std::uint32_t j = 0; j <= piece.columns; ++j) out.add(below[j].x, below[j].y);
+      if (i == 0) continue;
+      fill_diamonds(above, below, piece.columns, [&](std::uint32_t, const PointPixel& p) { out.add(p.x, p.y); });
+    }
+  }
+}
+
 bool inside_all_planes(const ClipPatch& patch, const Projection& projection) {
   for (const auto& row : patch.at) {
     for (const ClipPoint& p : row) {
@@ -85,6 +104,13 @@ bool compare(const Screen& screen, double distance, std::uint64_t seed) {
     EXPECT_EQ(diced.holes_against(fine), 0) << "view " << seed << ", patch " << i;
     EXPECT_EQ(diced.far_from(fine), 0) << "view " << seed << ", patch " << i;
     EXPECT_EQ(fine.far_from(diced), 0) << "view " << seed << ", patch " << i;
+    // A point lies within half a pixel of its pixel's centre, across and down. So wherever all of a pixel's square is
+    // covered, and a little round it for what a piece may be off the patch, there is a point in it or between some.
+    Coverage points(screen.width, screen.height);
+    add_points(patch, view, screen, points);
+    constexpr int kSquare = 7;  // eighths: half a pixel's diagonal and a sixth
+    EXPECT_EQ(points.holes_against(fine, kSquare), 0) << "view " << seed << ", patch " << i;
+    EXPECT_EQ(points.far_from(fine), 0) << "view " << seed << ", patch " << i;
   }
   return true;
 }

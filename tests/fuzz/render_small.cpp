@@ -38,6 +38,23 @@ void compare_frames(const CompiledScene& scene) {
   if (plane.picture.rgb != midpoint.picture.rgb) __builtin_trap();
 }
 
+// Patches as points, in one band and in several.
+void compare_points(const CompiledScene& scene) {
+  const SceneRecord record = scene.record();
+  SceneView view;
+  if (!SceneView::validate(record, view).ok()) __builtin_trap();
+  if (view.layered() || !view.has_patches()) return;
+  EngineOptions whole = small(Comparator::plane);
+  whole.surface = Surface::points;
+  EngineOptions frugal = whole;
+  frugal.pools.point_lines = 5;
+  Rendering one, several;
+  const Status a = Engine::make(whole)->render(view, scene.camera(), one);
+  const Status b = Engine::make(frugal)->render(view, scene.camera(), several);
+  if (a.ok() != b.ok()) __builtin_trap();
+  if (a.ok() && one.status.ok() && several.status.ok() && one.picture.rgb != several.picture.rgb) __builtin_trap();
+}
+
 }  // namespace
 
 void render_small(SceneDescription description) {
@@ -47,6 +64,7 @@ void render_small(SceneDescription description) {
   for (const std::int64_t frame : {0, 3}) {
     scene.show(frame);
     compare_frames(scene);
+    compare_points(scene);
   }
 }
 

@@ -29,9 +29,12 @@ struct Budget {
   std::uint16_t patch_facets = 0;     // of the facets that wait, those of patches: 8 bytes each, more
   std::uint16_t patch_vertices = 0;   // their corners and two rows of a patch's grid: 8 bytes each, 4 more with gouraud
   std::uint16_t patch_tolerance = 8;  // 1/16 px that an edge of a facet may be off the patch: 8 is half a pixel
-  std::uint16_t layers = 0;           // segments of surface detail and of see-through polygons over one pixel, 40 bytes
-                                      // each, and 8 more a polygon; 0: a scene without either
-  std::uint16_t curves = 0;           // pieces of curves in a band that wait for their first line: 6 bytes each
+  // The other way of drawing them (FrameOptions::points): as points, into a band of so many lines at most, 4 bytes a
+  // pixel; 0: they are diced.
+  std::uint16_t point_lines = 0;
+  std::uint16_t layers = 0;   // segments of surface detail and of see-through polygons over one pixel, 40 bytes
+                              // each, and 8 more a polygon; 0: a scene without either
+  std::uint16_t curves = 0;   // pieces of curves in a band that wait for their first line: 6 bytes each
   std::uint16_t strands = 0;  // y-monotone pieces of curves alive on one line, 112 bytes each; 0: no curves are drawn
   bool gouraud = true;        // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
   // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, `facets`),

@@ -11,7 +11,11 @@ using FrameOptions = VsgOptions;
 
 // The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
-  return {.patches = budget.patch_facets != 0, .layers = budget.layers != 0, .walker = budget.walker};
+  const bool points = budget.point_lines != 0;
+  return {.patches = points || budget.patch_facets != 0,
+          .points = points,
+          .layers = budget.layers != 0,
+          .walker = budget.walker};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>
@@ -47,7 +51,9 @@ class Frame {
       s.bands = bands_;
       s.max_facets = most_facets_;
       s.max_vertices = vertices_;
-      if constexpr (kOptions.patches) {
+      if constexpr (kOptions.points) {
+        s.points_emitted = patches_.points();
+      } else if constexpr (kDices) {
         s.max_patch_facets = patches_.most_facets();
         s.max_patch_vertices = patches_.most_vertices();
         s.points_emitted = patches_.points();
@@ -58,6 +64,9 @@ class Frame {
   void set_tap(const SpanTap& tap) { tap_ = tap; }
 
  private:
+  static_assert(!kOptions.points || (kOptions.patches && !kOptions.layers),
+                "points are of patches, and have no layers");
+  static constexpr bool kDices = kOptions.patches && !kOptions.points;
   struct Sink;
 
   bool has_mesh_lines() const {
@@ -73,6 +82,8 @@ class Frame {
   bool file_facets(std::uint16_t top, std::uint16_t bottom);
   bool file_facet(std::uint16_t face, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
   // Templates, so that a frame without patches_ does not have them.
+  template <typename Points>
+  void plot_points(Points& points, std::uint16_t top, std::uint16_t bottom);
   template <typename Patches>
   bool file_patches(Patches& patches, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
   template <typename Patches>
@@ -85,6 +96,11 @@ class Frame {
   [[gnu::noinline]] Room begin_outline(std::uint16_t face, std::uint16_t line,
                                        const typename VisibleSegments<kOptions>::Look& look);
   const LightRig& lights();
+  // Whether there are points, and a band to plot them into.
+  bool plots() const {
+    if constexpr (kOptions.points) return scene_.has_patches() && patches_.lines() != 0;
+    return false;
+  }
   // Whether facets of patches are shaded from normals at their corners.
   template <typename Patches>
   bool keeps_normals(const Patches& patches, const MaterialRecord& material) const {
@@ -110,7 +126,8 @@ class Frame {
   CameraRecord camera_{};
   FacetReader reader_;
   struct NoPatches {};
-  [[no_unique_address]] std::conditional_t<kOptions.patches, PatchSource, NoPatches> patches_;
+  using Drawn = std::conditional_t<kOptions.points, PointSource, PatchSource>;
+  [[no_unique_address]] std::conditional_t<kOptions.patches, Drawn, NoPatches> patches_;
   LightRig lights_;
   std::uint32_t lit_instance_ = UINT32_MAX;
   VisibleSegments<kOptions> vsg_;

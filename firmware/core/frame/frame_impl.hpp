@@ -12,6 +12,32 @@ struct Frame<kOptions>::Sink {
   const SpanTap& tap;
   Frame& frame;
   void span(const VisibleSpan& s) {
+    if constexpr (kOptions.points) {
+      if (frame.plots()) return span_among_points(frame.patches_, s);
+    }
+    whole_span(s);
+  }
+  // What of a span lies behind points is theirs.
+  template <typename Points>
+  void span_among_points(const Points& points, VisibleSpan s) {
+    const auto point = [&](std::uint32_t x, std::uint16_t payload, std::uint16_t face, std::uint32_t depth) {
+      VisibleSpan p;
+      p.line = s.line;
+      p.left = static_cast<std::uint16_t>(x);
+      p.right = static_cast<std::uint16_t>(x + 1);
+      p.face = face;
+      p.payload = payload;
+      p.depth = {depth << 13, 0};
+      whole_span(p);
+    };
+    const auto rest = [&](std::uint32_t left, std::uint32_t right) {
+      s.left = static_cast<std::uint16_t>(left);
+      s.right = static_cast<std::uint16_t>(right);
+      whole_span(s);
+    };
+    points.show(s.line, s.left, s.right, s.face != kNoFace, s.depth, point, rest);
+  }
+  void whole_span(const VisibleSpan& s) {
     if constexpr (kOptions.taps) {
       if (tap.span != nullptr) tap.span(tap.context, s);
     }
@@ -44,7 +70,8 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       painter_(storage.screen),
       curves_(storage.curves, storage.screen),
       height_(storage.screen.height) {
-  if constexpr (kOptions.patches) patches_ = PatchSource(storage.patches, storage.screen);
+  if constexpr (kDices) patches_ = PatchSource(storage.patches, storage.screen);
+  if constexpr (kOptions.points) patches_ = PointSource(storage.points, storage.screen);
 }
 
 template <FrameOptions kOptions>
@@ -79,6 +106,9 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   scene_ = scene;
   camera_ = camera;
   painter_.begin_lines(scene_.scene().background);
+  if constexpr (kOptions.points) {
+    if (scene_.has_patches() && !plots()) note_full("point_lines", 1, 0, rest.top);
+  }
   begin_curves(rest);
   if constexpr (kOptions.walker == Walker::both) {
     if (!had_segments && mesh_.begin(scene_, camera_, rest.top).ok()) return band_ = rest;
@@ -120,10 +150,16 @@ std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
   std::uint32_t lines = static_cast<std::uint32_t>(bottom - top);
   if (lines > 2u * height_) lines = 2u * height_;
   if (lines > buckets_.capacity()) lines = buckets_.capacity();
+  if constexpr (kOptions.points) {
+    if (plots() && lines > patches_.lines()) lines = patches_.lines();
+  }
   while (!file_facets(top, static_cast<std::uint16_t>(top + lines))) lines /= 2;
   height_ = static_cast<std::uint16_t>(lines);
   planned_ = static_cast<std::uint16_t>(top + lines);
   vsg_.begin_band(planned_);
+  if constexpr (kOptions.points) {
+    if (plots()) plot_points(patches_, top, planned_);
+  }
   ++bands_;
   return planned_;
 }
@@ -140,7 +176,7 @@ bool Frame<kOptions>::file_facets(std::uint16_t top, std::uint16_t bottom) {
     ++refused;
   }
   if (refused != 0) note_full("facets", facets_.capacity() + refused, facets_.capacity(), top);
-  if constexpr (kOptions.patches) {
+  if constexpr (kDices) {
     if (!file_patches(patches_, top, bottom, count)) return false;
   }
   if (count > most_facets_) most_facets_ = count;
@@ -180,6 +216,23 @@ bool Frame<kOptions>::file_patches(Patches& patches, std::uint16_t top, std::uin
     note_full(shortage.pool, shortage.needed, shortage.limit, top);
   }
   return true;
+}
+
+template <FrameOptions kOptions>
+template <typename Points>
+void Frame<kOptions>::plot_points(Points& points, std::uint16_t top, std::uint16_t bottom) {
+  points.begin_band(top, bottom);
+  for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
+    reader_.select(face);
+    if (!reader_.is_patch() || (reader_.instance().flags & InstanceRecord::kHidden) != 0) {
+      face = reader_.last_face();
+      continue;
+    }
+    const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+    const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+    points.plot(reader_, face,
+                {&lights(), &material, screen_.format, material.shading == MaterialRecord::kGouraud, two_sided});
+  }
 }
 
 template <FrameOptions kOptions>
@@ -239,7 +292,7 @@ bool Frame<kOptions>::begin_facets(std::uint16_t line) {
   const auto bucket = static_cast<std::uint32_t>(line - (planned_ - height_) + 1);
   for (std::uint16_t at = buckets_[bucket]; at != 0; at = facets_[at].next) {
     Room room = Room::enough;
-    if constexpr (kOptions.patches) {
+    if constexpr (kDices) {
       room = at <= polygons_filed_ ? begin_facet(facets_[at].face, line) : begin_patch_facet(patches_, at, line);
     } else {
       room = begin_facet(facets_[at].face, line);

@@ -6,6 +6,7 @@
 #include "core/frame/budget.hpp"
 #include "core/frame/curve_overlay.hpp"
 #include "core/frame/patch_source.hpp"
+#include "core/frame/point_source.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/vsg/edge_walker.hpp"
 #include "core/vsg/visible_segments.hpp"
@@ -37,6 +38,7 @@ struct FrameStorage {
   MeshStorage mesh;
   SmoothStorage smooth;
   CurveOverlay* curves = nullptr;  // null: curves are not drawn
+  PointStorage points = {};
 };
 
 // The pools of smooth triangles, where there are any.
@@ -86,6 +88,21 @@ template <std::uint16_t kVertices, bool kNormals>
 class PatchMemory<0, kVertices, kNormals> {
  public:
   PatchStorage storage(std::uint32_t) { return {}; }
+};
+
+// The band of points.
+template <std::uint32_t kCells>
+class PointPools {
+ public:
+  void add_to(FrameStorage& storage) { storage.points = {Slice<std::uint32_t>(cells_), {}}; }
+
+ private:
+  std::uint32_t cells_[kCells];
+};
+template <>
+class PointPools<0> {
+ public:
+  void add_to(FrameStorage&) {}
 };
 
 // The pools of one walker.
@@ -168,6 +185,7 @@ class FrameMemory {
     segments_.add_to(storage);
     mesh_.add_to(storage);
     curves_.add_to(storage);
+    points_.add_to(storage);
     return storage;
   }
 
@@ -179,6 +197,7 @@ class FrameMemory {
                                                                                : 127;
   [[no_unique_address]] SmoothPools<kLooks, kBudget.tables, kBudget.gouraud> smooth_;
   [[no_unique_address]] std::conditional_t<kBudget.strands == 0, NoCurves, CurvePools<kBudget>> curves_;
+  [[no_unique_address]] PointPools<std::uint32_t{kBudget.point_lines} * kBudget.width> points_;
 };
 
 }  // namespace spanline

@@ -383,7 +383,7 @@ class DepthSorter {
       span.smooth = (polygon.flags & PolygonBlock::kSmooth) != 0;
       span.segment = &p_.store->held(pending_.segment);
       if (span.gouraud) span.shade = &p_.store->shade(pending_.segment);
-      if constexpr (kOptions.taps) span.depth = ramp_of(pending_);
+      if constexpr (kOptions.taps || kOptions.points) span.depth = ramp_of(pending_);
     }
     if constexpr (kOptions.layers) {
       if (!layers_.empty()) return layers_.template show<kOptions.taps>(span, pending_, *this, *p_.store, sink);

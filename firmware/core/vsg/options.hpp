@@ -21,6 +21,7 @@ struct VsgOptions {
   bool statistics = false;  // count what Fig. 33 counts
   bool taps = false;        // spans carry their depth ramp
   bool patches = false;     // Bezier patches are drawn: 10 KB of code and the pools of Budget::patch_facets
+  bool points = false;      // patches are plotted as points, not diced: Budget::point_lines; then there are no layers
   bool layers = false;      // surface detail and see-through polygons are drawn: the pools of Budget::layers
   Walker walker = Walker::segments;
 };

@@ -15,7 +15,7 @@ struct VisibleSpan {
   std::uint16_t payload = 0;              // what the shader gave the facet
   const SegmentBlock* segment = nullptr;  // already stepped to the next line; null for the background
   const SegmentShade* shade = nullptr;    // colours along its edges, where gouraud
-  DepthRamp depth;                        // set only where VsgOptions::taps
+  DepthRamp depth;                        // set only where VsgOptions::taps or points
 };
 
 }  // namespace spanline

@@ -1,0 +1,309 @@
+#include "core/curve/point_piece.hpp"
+
+namespace spanline {
+namespace {
+
+// What may be projected here: one and a half times the guard band.
+constexpr std::int64_t border(std::int32_t w) { return std::int64_t{w} + w / 2; }
+constexpr std::int32_t kBorderPx = kGuardPx + kGuardPx / 2;
+
+std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
+std::int32_t clamp(std::int32_t v, std::int64_t limit) {
+  return static_cast<std::int32_t>(v > limit ? limit : v < -limit ? -limit : v);
+}
+
+// The mean of two coordinates, halves upwards: the same seen from either end.
+std::int32_t middle(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>((std::int64_t{a} + b + 1) >> 1);
+}
+ClipPoint middle(const ClipPoint& a, const ClipPoint& b) {
+  return {middle(a.x, b.x), middle(a.y, b.y), middle(a.w, b.w)};
+}
+
+// Leaves one half of a curve.
+void halve_curve(ClipPoint& p0, ClipPoint& p1, ClipPoint& p2, ClipPoint& p3, bool second) {
+  const ClipPoint a = middle(p0, p1), b = middle(p1, p2), c = middle(p2, p3);
+  const ClipPoint ab = middle(a, b), bc = middle(b, c), all = middle(ab, bc);
+  if (second) {
+    p0 = all, p1 = bc, p2 = c;
+  } else {
+    p1 = a, p2 = ab, p3 = all;
+  }
+}
+
+std::uint32_t steps_for(std::int32_t longest_leg) {
+  constexpr int kShift = 8;  // Q13.11 px: no piece is short of a step for that
+  const auto length = static_cast<std::uint32_t>(3 * ((longest_leg >> kShift) + 1));
+  constexpr auto kStep = static_cast<std::uint32_t>(kLongestStep >> kShift);
+  return (length + kStep - 1) / kStep;
+}
+static_assert(3 * ((INT32_MAX >> 8) + 1) > 0 && kLongestStep % (1 << 8) == 0);
+
+// Steps that keep neighbours within kLongestStep, along rows and along columns.
+void count_steps(ScreenPiece& piece) {
+  std::int32_t along = 0, across = 0;
+  const auto raise = [](std::int32_t& most, std::int32_t a, std::int32_t b) {
+    const std::int32_t leg = magnitude(a - b);
+    if (leg > most) most = leg;
+  };
+  for (int axis = kPointX; axis <= kPointY; ++axis) {
+    const auto& at = piece.at[axis];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        raise(along, at[i][j + 1], at[i][j]);
+        raise(across, at[j + 1][i], at[j][i]);
+      }
+    }
+  }
+  piece.columns = steps_for(along);
+  piece.rows = steps_for(across);
+}
+
+struct Leg {
+  std::int32_t x, y;  // 1/1024 px
+};
+std::int32_t cross(const Leg& a, const Leg& b) { return a.x * b.y - a.y * b.x; }
+std::int32_t dot(const Leg& a, const Leg& b) { return a.x * b.x + a.y * b.y; }
+static_assert((kMostPieceSteps / 3 << 10) * (kMostPieceSteps / 3 << 10) < 1u << 30, "the sum of two products fits");
+
+// The legs along rows, or along columns, lie between two of them.
+struct Cone {
+  Leg first{}, last{};
+  bool narrow = true;  // all lie within a quarter turn of one of them
+
+  Cone(const ScreenPiece& piece, bool rows) {
+    Leg middle{};
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const auto leg = [&](PointAxis axis) {
+          const auto& at = piece.at[axis];
+          return (rows ? at[i][j + 1] - at[i][j] : at[j + 1][i] - at[j][i]) >> (kPointBits - 10);
+        };
+        const Leg l{leg(kPointX), leg(kPointY)};
+        if (l.x == 0 && l.y == 0) continue;
+        if (middle.x == 0 && middle.y == 0) first = last = middle = l;
+        if (dot(middle, l) <= 0) narrow = false;
+        if (cross(l, first) > 0) first = l;
+        if (cross(last, l) > 0) last = l;
+      }
+    }
+  }
+};
+
+// Tangents are sums of legs with weights that are not negative; so is, of the products of the cones' rims, by which
+// side the tangents turn.
+PieceSide side_of(const ScreenPiece& piece, bool mirrored) {
+  const Cone u(piece, true), v(piece, false);
+  if (!u.narrow || !v.narrow) return PieceSide::mixed;
+  const std::int32_t turns[4] = {cross(u.first, v.first), cross(u.first, v.last), cross(u.last, v.first),
+                                 cross(u.last, v.last)};
+  bool left = true, right = true;  // y points down: fronts turn left
+  for (const std::int32_t turn : turns) {
+    left = left && turn < 0;
+    right = right && turn > 0;
+  }
+  if (left == right) return PieceSide::mixed;
+  return left != mirrored ? PieceSide::front : PieceSide::back;
+}
+
+// Turns the piece so that its rows are the flatter ones on the screen: a band then meets fewer of them.
+void turn_flat(ScreenPiece& piece) {
+  std::int32_t along = 0, across = 0;
+  const auto& y = piece.at[kPointY];
+  for (int i = 0; i < 4; ++i) {
+    along += magnitude(y[i][3] - y[i][0]) >> 3;
+    across += magnitude(y[3][i] - y[0][i]) >> 3;
+  }
+  piece.turned = along > across;
+  if (!piece.turned) return;
+  for (auto& at : piece.at) {
+    for (int i = 1; i < 4; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const std::int32_t kept = at[i][j];
+        at[i][j] = at[j][i];
+        at[j][i] = kept;
+      }
+    }
+  }
+  const std::uint32_t rows = piece.rows;
+  piece.rows = piece.columns;
+  piece.columns = rows;
+}
+
+}  // namespace
+
+PieceCutter::PieceCutter(const ClipPatch& patch, const Projection& projection, const PointWindow& window, bool mirrored)
+    : patch_(patch),
+      projection_(projection),
+      window_(window),
+      borders_{-1 - (projection.centre_x >> 4), window.width + 1 - (projection.centre_x >> 4),
+               window.top - 1 - (projection.centre_y >> 4), window.bottom + 1 - (projection.centre_y >> 4)},
+      mirrored_(mirrored),
+      net_(patch) {}
+
+bool PieceCutter::next(ScreenPiece& out) {
+  while (!done_) {
+    switch (look(out)) {
+      case Verdict::nothing:
+        advance();
+        break;
+      case Verdict::cut:
+        descend();
+        break;
+      case Verdict::piece:
+        out.u = u_;
+        out.v = v_;
+        out.side = side_of(out, mirrored_);
+        turn_flat(out);
+        advance();
+        return true;
+    }
+  }
+  return false;
+}
+
+PieceCutter::Verdict PieceCutter::look(ScreenPiece& out) {
+  const Verdict rest = cuts_ == kMostCuts ? Verdict::nothing : Verdict::cut;
+  const std::int32_t nearest = projection_.near_w;
+  std::int32_t low = INT32_MAX, high = INT32_MIN;
+  for (const auto& row : net_.at) {
+    for (const ClipPoint& p : row) {
+      low = p.w < low ? p.w : low;
+      high = p.w > high ? p.w : high;
+    }
+  }
+  if (high < nearest) return Verdict::nothing;
+  cut_u_ = u_.level <= v_.level;
+  if (low < nearest / 2 + 1) return aside() ? Verdict::nothing : rest;
+  const bool inside = project(out);
+  if (!meets_window(out)) return Verdict::nothing;
+  count_steps(out);
+  cut_u_ = out.columns >= out.rows;
+  if (!inside || high - low > low / 8 || out.columns > kPieceSteps || out.rows > kPieceSteps) return rest;
+  fit(out);
+  count_steps(out);
+  return out.columns > kMostPieceSteps || out.rows > kMostPieceSteps ? rest : Verdict::piece;
+}
+
+// Whether all of the net lies beyond one of the planes through the eye and the window's borders; what of it lies before
+// the eye is then out of sight.
+bool PieceCutter::aside() const {
+  bool beyond[4] = {true, true, true, true};
+  for (const auto& row : net_.at) {
+    for (const ClipPoint& p : row) {
+      const std::int64_t x = std::int64_t{p.x} * kGuardPx, y = std::int64_t{p.y} * kGuardPx;
+      beyond[0] = beyond[0] && x < std::int64_t{p.w} * borders_[0];
+      beyond[1] = beyond[1] && x > std::int64_t{p.w} * borders_[1];
+      beyond[2] = beyond[2] && y < std::int64_t{p.w} * borders_[2];
+      beyond[3] = beyond[3] && y > std::int64_t{p.w} * borders_[3];
+    }
+  }
+  return beyond[0] || beyond[1] || beyond[2] || beyond[3];
+}
+
+// The net on the screen. False where some point of it lies too far aside; then it is moved to that border, which lies
+// off every screen.
+bool PieceCutter::project(ScreenPiece& out) const {
+  bool inside = true;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const ClipPoint& p = net_.at[i][j];
+      const auto w = static_cast<std::uint32_t>(p.w);
+      const int up = std::countl_zero(w) - 1;
+      const std::uint32_t inverse = reciprocal_normalised(w << up);  // 2^(61 - up) / w
+      const std::int32_t x = clamp(p.x, border(p.w)), y = clamp(p.y, border(p.w));
+      inside = inside && x == p.x && y == p.y;
+      const auto scaled = [&](std::int32_t v, int shift) {
+        return static_cast<std::int32_t>((std::int64_t{v} * inverse) >> (shift - up));
+      };
+      // v / w * kGuardPx px in Q13.19 is v / w * 2^29.
+      static_assert(kGuardPx << kPointBits == 1 << 29);
+      static_assert(2 * kBorderPx < 1 << (31 - kPointBits), "differences fit a word");
+      out.at[kPointX][i][j] = scaled(x, 32) + (projection_.centre_x << (kPointBits - 4));
+      out.at[kPointY][i][j] = scaled(y, 32) + (projection_.centre_y << (kPointBits - 4));
+      static_assert(16 + kPointDepthBits == 61 - 35);
+      out.at[kPointDepth][i][j] = scaled(projection_.near_w, 35);
+    }
+  }
+  return inside;
+}
+
+// A pixel is added all round: so far, and no farther, the piece stepped off may leave the hull of its projected net.
+bool PieceCutter::meets_window(const ScreenPiece& piece) const {
+  std::int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
+  for (int axis = kPointX; axis <= kPointY; ++axis) {
+    for (const auto& row : piece.at[axis]) {
+      for (const std::int32_t v : row) {
+        least[axis] = v < least[axis] ? v : least[axis];
+        most[axis] = v > most[axis] ? v : most[axis];
+      }
+    }
+  }
+  return (most[kPointX] >> kPointBits) >= -1 && (least[kPointX] >> kPointBits) <= window_.width &&
+         (most[kPointY] >> kPointBits) >= window_.top - 1 && (least[kPointY] >> kPointBits) <= window_.bottom;
+}
+
+// At a corner c, with the neighbours' weights relative to its own (1 + k) and r = (1 + k) * (p - c), the projected
+// patch's derivatives there are those of a polynomial patch with c + r for the two neighbours along the sides and
+// c + r11 - r10 * k01 - r01 * k10 for the inner one.
+void PieceCutter::fit(ScreenPiece& piece) const {
+  for (int corner = 0; corner < 4; ++corner) {
+    const int i = (corner & 2) != 0 ? 3 : 0, j = (corner & 1) != 0 ? 3 : 0;
+    const int next_i = i == 0 ? 1 : 2, next_j = j == 0 ? 1 : 2;
+    const std::int32_t w = net_.at[i][j].w;
+    const int up = std::countl_zero(static_cast<std::uint32_t>(w)) - 1;
+    const auto inverse =
+        static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up));  // 2^(61 - up) / w
+    const auto excess = [&](const ClipPoint& p) {  // Q1.30; no more than an eighth, since high - low is checked
+      return static_cast<std::int32_t>((std::int64_t{p.w - w} * inverse) >> (31 - up));
+    };
+    const auto times = [](std::int32_t a, std::int32_t k) {
+      return static_cast<std::int32_t>(shift_round(std::int64_t{a} * k, 30));
+    };
+    const std::int32_t k10 = excess(net_.at[next_i][j]), k01 = excess(net_.at[i][next_j]),
+                       k11 = excess(net_.at[next_i][next_j]);
+    for (auto& at : piece.at) {
+      const std::int32_t c = at[i][j];
+      const std::int32_t d10 = at[next_i][j] - c, d01 = at[i][next_j] - c, d11 = at[next_i][next_j] - c;
+      const std::int32_t r10 = d10 + times(d10, k10), r01 = d01 + times(d01, k01), r11 = d11 + times(d11, k11);
+      at[next_i][j] = c + r10;
+      at[i][next_j] = c + r01;
+      at[next_i][next_j] = c + r11 - times(r10, k01) - times(r01, k10);
+    }
+  }
+}
+
+// To the first half.
+void PieceCutter::descend() {
+  const std::uint32_t bit = 1u << cuts_;
+  along_u_ = cut_u_ ? along_u_ | bit : along_u_ & ~bit;
+  second_ &= ~bit;
+  halve(cuts_++);
+}
+
+// To the second half of the last cut that has not been there yet.
+void PieceCutter::advance() {
+  while (cuts_ != 0 && (second_ >> (cuts_ - 1) & 1u) != 0) --cuts_;
+  done_ = cuts_ == 0;
+  if (done_) return;
+  second_ |= 1u << (cuts_ - 1);
+  net_ = patch_;
+  u_ = v_ = {};
+  for (std::uint32_t cut = 0; cut < cuts_; ++cut) halve(cut);
+}
+
+void PieceCutter::halve(std::uint32_t cut) {
+  const bool second = (second_ >> cut & 1u) != 0, along_u = (along_u_ >> cut & 1u) != 0;
+  PieceRange& range = along_u ? u_ : v_;
+  range = {2 * range.index + (second ? 1u : 0u), range.level + 1};
+  for (int k = 0; k < 4; ++k) {
+    auto& at = net_.at;
+    if (along_u) {
+      halve_curve(at[k][0], at[k][1], at[k][2], at[k][3], second);
+    } else {
+      halve_curve(at[0][k], at[1][k], at[2][k], at[3][k], second);
+    }
+  }
+}
+
+}  // namespace spanline

@@ -1,0 +1,94 @@
+// Pieces of a patch that points are stepped off from: so small on the screen that they can be walked there, in 32 bits.
+//
+// A patch is cut in halves (de Casteljau) until a piece is at most kPieceSteps pixels long each way. There the piece is
+// taken to the screen as a bicubic patch whose points, tangents and twists at the corners are those of the projected
+// one, which it then follows within a sixth of a pixel (tests): perspective is paid once a piece, not once a point.
+//
+// Why no hole is left. A piece is stepped off on a grid of rows x columns points, so many that by the bound of its
+// derivatives (three times the longest leg of its control net, the maximum norm) neighbours on the grid are at most
+// kLongestStep apart in x and in y. Their pixels then touch, by a side or a corner. Take the pixels' centres as the
+// corners of a surface of quadrangles: a quadrangle whose four sides join touching pixels holds no other pixel's centre
+// than its corners', but for one shape, the diamond about a pixel, and that pixel is filled (PointRows). So
+// this surface is covered without a hole. No point of it is farther than half a pixel, in x or in y, from where the
+// piece has it, and the piece's walk from the patch; so a sheet of the patch that covers the whole square of a pixel
+// turns once about its centre, and so does the surface of quadrangles: the pixel is covered. Where two pieces meet,
+// both step off the same curve with steps shorter than a pixel, and merged they are a chain of touching pixels.
+#pragma once
+
+#include <cstdint>
+
+#include "core/curve/dice.hpp"
+
+namespace spanline {
+
+// The pixels that are worked for: columns [0, width) of the lines [top, bottom).
+struct PointWindow {
+  std::int32_t top, bottom, width;
+};
+
+// Coordinates of a piece: x and y are Q13.19 px, depth is Q16.10.
+inline constexpr int kPointBits = 19;
+inline constexpr int kPointDepthBits = 10;
+enum PointAxis : int { kPointX, kPointY, kPointDepth, kPointAxes };
+
+// A direction of the patch: the piece is the part [index, index + 1] / 2^level of it.
+struct PieceRange {
+  std::uint32_t index = 0, level = 0;
+};
+
+// Which side of the patch is seen, the one from which u and v turn counter-clockwise being its front.
+enum class PieceSide : std::uint8_t { front, back, mixed };
+
+struct ScreenPiece {
+  std::int32_t at[kPointAxes][4][4];  // control points: rows i, points j of a row
+  std::uint32_t rows, columns;        // steps, 1 … kMostPieceSteps
+  PieceRange u, v;
+  bool turned;     // rows run along v, not along u
+  PieceSide side;  // mixed also where it is not known
+};
+
+// A piece that would need more is cut.
+inline constexpr std::uint32_t kPieceSteps = 16;
+// What bending the net to the projected patch's tangents may make of that.
+inline constexpr std::uint32_t kMostPieceSteps = 24;
+// 31/32 px: the rest is for roundings, and for what neighbouring pieces may differ where they meet.
+inline constexpr std::int32_t kLongestStep = 31 << (kPointBits - 5);
+
+// Cuts a patch and yields the pieces of it that may cover a pixel of the window. Which pieces there are does not
+// depend on the window. Parts nearer than half the near plane, and what kMostCuts cuts leave too long, are left out.
+class PieceCutter {
+ public:
+  // `patch` and `projection` must outlive the cutter.
+  // `mirrored`: the patch's instance is.
+  PieceCutter(const ClipPatch& patch, const Projection& projection, const PointWindow& window, bool mirrored);
+
+  bool next(ScreenPiece& out);
+
+ private:
+  static constexpr std::uint32_t kMostCuts = 32;
+  enum class Verdict : std::uint8_t { nothing, cut, piece };
+
+  Verdict look(ScreenPiece& out);
+  bool aside() const;
+  bool project(ScreenPiece& out) const;
+  bool meets_window(const ScreenPiece& piece) const;
+  void fit(ScreenPiece& piece) const;
+  void descend();
+  void advance();
+  void halve(std::uint32_t cut);
+
+  const ClipPatch& patch_;
+  const Projection& projection_;
+  PointWindow window_;
+  std::int32_t borders_[4];  // of the window, a pixel added, from the centre: left, right, top, bottom; px
+  bool mirrored_;
+  ClipPatch net_;
+  PieceRange u_, v_;
+  // The cuts that led here, bit by bit from the first: along which direction, and whether to the second half. Going
+  // back they are made again, so that nothing need be kept of them.
+  std::uint32_t along_u_ = 0, second_ = 0, cuts_ = 0;
+  bool cut_u_ = false;  // the direction to cut next
+  bool done_ = false;
+};
+
+}  // namespace spanline

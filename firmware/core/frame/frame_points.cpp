@@ -1,0 +1,7 @@
+#include "core/frame/frame_impl.hpp"
+
+namespace spanline {
+
+template class Frame<FrameOptions{.patches = true, .points = true}>;
+
+}  // namespace spanline
