@@ -9,7 +9,23 @@ TEST(Bits, MulHighCutsTowardsMinusInfinity) {
   EXPECT_EQ(mul_high(std::int32_t{1} << 16, std::int32_t{1} << 16), 1);
   EXPECT_EQ(mul_high(std::int32_t{-1}, std::int32_t{1}), -1);
   EXPECT_EQ(mul_high(INT32_MIN, INT32_MIN), 1 << 30);
-  EXPECT_EQ(mul_high(std::uint32_t{0xffffffffu}, std::uint32_t{0xffffffffu}), 0xfffffffeu);
+}
+
+TEST(Bits, HalvesMakeTheSameHighProduct) {
+  const auto same = [](std::int32_t a, std::int32_t b) {
+    EXPECT_EQ(mul_high_by_halves(a, b), static_cast<std::int32_t>((std::int64_t{a} * b) >> 32)) << a << " * " << b;
+  };
+  const std::int32_t ends[] = {INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535,    -1,           0,
+                               1,         65535,         65536,  65537,  INT32_MAX, INT32_MAX - 1};
+  for (const std::int32_t a : ends) {
+    for (const std::int32_t b : ends) same(a, b);
+  }
+  std::uint32_t state = 1;
+  const auto next = [&state] { return static_cast<std::int32_t>(state = state * 1664525u + 1013904223u); };
+  for (int i = 0; i < 100000; ++i) {
+    const std::int32_t a = next();
+    same(a, next());
+  }
 }
 
 TEST(Bits, ShiftRoundTakesHalvesUpwards) {

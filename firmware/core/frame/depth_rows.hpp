@@ -22,8 +22,8 @@ class DepthRows {
   const CameraRecord* camera_ = nullptr;
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
-  ClipMatrix matrix_;
-  std::uint32_t instance_ = UINT32_MAX;  // of the matrix
+  ClipRow ahead_;                        // that leads to w
+  std::uint32_t instance_ = UINT32_MAX;  // of the row
 };
 
 inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
@@ -31,14 +31,13 @@ inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& 
   const MeshRecord& mesh = cursor_.mesh();
   if (instance_ != cursor_.index()) {
     instance_ = cursor_.index();
-    matrix_ = compose(*camera_, cursor_.instance().transform, mesh);
+    ahead_ = ClipRow(compose(*camera_, cursor_.instance().transform, mesh), 2);
   }
   const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - cursor_.first_face());
   const ScreenXY* const point = &points[cursor_.first_vertex() + 1];
   const Position* const position = mesh.positions.data();
-  const auto depth = [&](int i) {  // inside the view and the matrix fits, else the walker would not have begun
-    return projection_.depth(static_cast<std::int32_t>(matrix_.wide_row(2, position[corner[i]])));
-  };
+  // Inside the view, and the matrix fits, else the walker would not have begun.
+  const auto depth = [&](int i) { return projection_.depth(ahead_.at(position[corner[i]])); };
   return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
 }
 

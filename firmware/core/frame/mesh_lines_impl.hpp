@@ -203,14 +203,15 @@ std::uint16_t MeshLines<kTaps>::flat_color(const InstanceCursor& at, std::uint32
 template <bool kTaps>
 bool MeshLines<kTaps>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
-  if (matrix.mirrored) return false;
+  if (matrix.mirrored || !matrix.fits()) return false;
   const Projection projection(camera_, screen_);
-  if (!matrix.fits()) return false;
+  const ClipRow x(matrix, 0), y(matrix, 1), w(matrix, 2);
   std::uint32_t vertex = at.first_vertex();
+  ScreenXY* point = &points_[vertex];
   for (const Position& position : at.mesh().positions) {
-    const ClipPoint clip = matrix.unsaturated(position);
+    const ClipPoint clip{x.at(position), y.at(position), w.at(position)};
     if (!projection.inside(clip)) return false;
-    points_[vertex + 1] = projection(clip).at;
+    *++point = projection.place(clip);
     walker_.forget(vertex++);
   }
   return true;

@@ -6,12 +6,30 @@
 
 namespace spanline {
 
+// Whether the core multiplies 32 bits by 32 to 64. ARMv6-M (M0, M0+) keeps the lower half only, and calls a function of
+// some forty instructions for the whole; there such products are put together from halves.
+#if defined(__ARM_ARCH_6M__)
+inline constexpr bool kLongMultiply = false;
+#else
+inline constexpr bool kLongMultiply = true;
+#endif
+
+// mul_high() by products of 16 bits.
+constexpr std::int32_t mul_high_by_halves(std::int32_t a, std::int32_t b) {
+  const std::int32_t a_high = a >> 16, b_high = b >> 16;
+  const std::uint32_t a_low = a & 0xffff, b_low = b & 0xffff;
+  const auto a_cross = a_high * static_cast<std::int32_t>(b_low), b_cross = b_high * static_cast<std::int32_t>(a_low);
+  const std::int32_t middle = a_cross + static_cast<std::int32_t>(a_low * b_low >> 16);
+  return a_high * b_high + (middle >> 16) + ((b_cross + (middle & 0xffff)) >> 16);
+}
+
 // High 32 bits of a 64-bit product, cut off (towards minus infinity when signed).
 constexpr std::int32_t mul_high(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>((static_cast<std::int64_t>(a) * b) >> 32);
-}
-constexpr std::uint32_t mul_high(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);
+  if constexpr (kLongMultiply) {
+    return static_cast<std::int32_t>((static_cast<std::int64_t>(a) * b) >> 32);
+  } else {
+    return mul_high_by_halves(a, b);
+  }
 }
 
 // value / 2^shift to the nearest, halves upwards.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "core/fx/bits.hpp"
 #include "core/fx/reciprocal.hpp"
@@ -48,16 +49,12 @@ struct ClipMatrix {
   // Point: a Position, or what lies a little outside the positions: |x|, |y|, |z| < 2^24 mesh units.
   template <typename Point>
   std::int32_t row(int i, const Point& p) const {
-    return saturate32(wide_row(i, p));
-  }
-  // Not saturated. The offset and the rounding begin the sum, which is then one chain of multiply-adds.
-  template <typename Point>
-  std::int64_t wide_row(int i, const Point& p) const {
+    // The offset and the rounding begin the sum, which is then one chain of multiply-adds.
     const std::int64_t sum = std::int64_t{offset[i]} * (1 << 15) + (1 << 14) + std::int64_t{linear[i][0]} * p.x +
                              std::int64_t{linear[i][1]} * p.y + std::int64_t{linear[i][2]} * p.z;  // Q17.31
-    return sum >> 15;
+    return saturate32(sum >> 15);
   }
-  // Whether no position saturates; then unsaturated() is what operator() is.
+  // Whether no position saturates.
   bool fits() const {
     for (int i = 0; i < 3; ++i) {
       std::int64_t most = offset[i] < 0 ? -std::int64_t{offset[i]} : offset[i];
@@ -66,15 +63,60 @@ struct ClipMatrix {
     }
     return true;
   }
-  ClipPoint unsaturated(const Position& p) const {
-    return {static_cast<std::int32_t>(wide_row(0, p)), static_cast<std::int32_t>(wide_row(1, p)),
-            static_cast<std::int32_t>(wide_row(2, p))};
-  }
   template <typename Point>
   ClipPoint operator()(const Point& p) const {
     return {row(0, p), row(1, p), row(2, p)};
   }
 };
+
+// A row of a matrix that fits(), made ready for many positions: at() is ClipMatrix::row(). In 64 bits,
+class LongRow {
+ public:
+  LongRow() = default;
+  LongRow(const ClipMatrix& matrix, int row)
+      : start_(std::int64_t{matrix.offset[row]} * (1 << 15) + (1 << 14)),
+        linear_{matrix.linear[row][0], matrix.linear[row][1], matrix.linear[row][2]} {}
+
+  std::int32_t at(const Position& p) const {
+    const std::int64_t sum =
+        start_ + std::int64_t{linear_[0]} * p.x + std::int64_t{linear_[1]} * p.y + std::int64_t{linear_[2]} * p.z;
+    return static_cast<std::int32_t>(sum >> 15);
+  }
+
+ private:
+  std::int64_t start_ = 0;  // Q17.31
+  std::int32_t linear_[3] = {0, 0, 0};
+};
+
+// or by products of 32 bits: with c = high * 2^15 + low, the sum of c * p over 2^15 is that of high * p, which wraps as
+// it likes where the result fits, and that of low * p over 2^15.
+class SplitRow {
+ public:
+  SplitRow() = default;
+  SplitRow(const ClipMatrix& matrix, int row) : offset_(static_cast<std::uint32_t>(matrix.offset[row])) {
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t c = matrix.linear[row][i];
+      const std::int32_t high = (c >> 15) + (c >> 14 & 1);
+      high_[i] = static_cast<std::uint32_t>(high);
+      low_[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(c) - (high_[i] << 15));  // -2^14 … 2^14 - 1
+    }
+  }
+
+  std::int32_t at(const Position& p) const {
+    static_assert(3 * (std::int64_t{1} << 14) * (1 << 15) + (1 << 14) <= INT32_MAX);
+    const std::int32_t low = low_[0] * p.x + low_[1] * p.y + low_[2] * p.z + (1 << 14);
+    const auto times = [](std::uint32_t c, std::int32_t v) { return c * static_cast<std::uint32_t>(v); };
+    return static_cast<std::int32_t>(offset_ + times(high_[0], p.x) + times(high_[1], p.y) + times(high_[2], p.z) +
+                                     static_cast<std::uint32_t>(low >> 15));
+  }
+
+ private:
+  std::uint32_t offset_ = 0;  // Q16.16
+  std::uint32_t high_[3] = {0, 0, 0};
+  std::int32_t low_[3] = {0, 0, 0};
+};
+
+using ClipRow = std::conditional_t<kLongMultiply, LongRow, SplitRow>;
 
 // Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them
 // in.
@@ -117,18 +159,14 @@ struct Projection {
   // nearer, errors grow as 1 / distance. The scene compiler picks the world's scale so that the near plane lies further
   // off.
   ScreenPoint operator()(const ClipPoint& p) const {
-    const int up = std::countl_zero(static_cast<std::uint32_t>(p.w)) - 1;
-    const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(p.w) << up));
-    const auto scaled = [&](std::int32_t v) {  // v / w * 2^14: 2^14 units of 28.4 are kGuardPx
-      return shift_round(mul_high(v * (1 << up), inverse), 15);
-    };
-    static_assert(kGuardPx * kSubpixels == 1 << 14);
+    const Inverse inverse(p.w);
     ScreenPoint out;
-    out.at = {static_cast<std::int16_t>(centre_x + scaled(p.x)), static_cast<std::int16_t>(centre_y + scaled(p.y))};
-    out.depth = depth_from(inverse, up) & 0xffffffu;
+    out.at = place(p, inverse);
+    out.depth = depth_from(inverse) & 0xffffffu;
     out.outcode = 0;
     return out;
   }
+  ScreenXY place(const ClipPoint& p) const { return place(p, Inverse(p.w)); }
 
   // Projects a point that rounding may have left a little outside of the planes.
   ScreenPoint clamped(ClipPoint p) const {
@@ -142,14 +180,25 @@ struct Projection {
   }
 
   // The depth of a point w ahead, inside the near plane; what the point's projection has.
-  std::uint32_t depth(std::int32_t w) const {
-    const int up = std::countl_zero(static_cast<std::uint32_t>(w)) - 1;
-    return depth_from(static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up)), up);
-  }
+  std::uint32_t depth(std::int32_t w) const { return depth_from(Inverse(w)); }
 
  private:
-  std::uint32_t depth_from(std::int32_t inverse, int up) const {
-    const std::int32_t depth = mul_high(near_w << up, inverse) >> (29 - kDepthBits);
+  struct Inverse {  // 1 / w = of * 2^up / 2^61
+    explicit Inverse(std::int32_t w)
+        : up(std::countl_zero(static_cast<std::uint32_t>(w)) - 1),
+          of(static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up))) {}
+    int up;
+    std::int32_t of;
+  };
+  ScreenXY place(const ClipPoint& p, const Inverse& inverse) const {
+    const auto scaled = [&](std::int32_t v) {  // v / w * 2^14: 2^14 units of 28.4 are kGuardPx
+      return shift_round(mul_high(v * (1 << inverse.up), inverse.of), 15);
+    };
+    static_assert(kGuardPx * kSubpixels == 1 << 14);
+    return {static_cast<std::int16_t>(centre_x + scaled(p.x)), static_cast<std::int16_t>(centre_y + scaled(p.y))};
+  }
+  std::uint32_t depth_from(const Inverse& inverse) const {
+    const std::int32_t depth = mul_high(near_w << inverse.up, inverse.of) >> (29 - kDepthBits);
     constexpr std::int32_t kNearest = (1 << kDepthBits) - 1;
     return static_cast<std::uint32_t>(depth < kNearest ? depth : kNearest);
   }

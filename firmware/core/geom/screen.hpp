@@ -16,8 +16,8 @@ struct Screen {
 inline constexpr std::uint16_t kMaxExtent = 2046;  // px, width or height: with the guard band it fills 28.4 in 16 bits
 inline constexpr std::int32_t kSubpixels = 16;     // a pixel is 16 units of 28.4; its centre lies at +8
 
-// A point on the screen, 28.4 px, y down.
-struct ScreenXY {
+// A point on the screen, 28.4 px, y down. On a word boundary, so that it is read and copied as one word.
+struct alignas(4) ScreenXY {
   std::int16_t x = 0, y = 0;
   friend constexpr bool operator==(const ScreenXY&, const ScreenXY&) = default;
 };

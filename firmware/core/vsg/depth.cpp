@@ -16,8 +16,9 @@ std::int32_t pixel_on_screen(std::int32_t v, std::int32_t pixels) {
 
 constexpr std::int32_t centre(std::int32_t pixel) { return pixel * kSubpixels + kSubpixels / 2; }
 
-// The plane of a triangle of less than 256 pixels each way that is not too steep: relative to the exact gradients these
-// are off by less than 2^-27, which over 256 pixels is less than an eighth of a unit of depth. False where it is no
+// The plane of a triangle of less than 256 pixels each way that is not too steep. Both gradients have the same relative
+// error, so within the triangle the plane is off by that part of what it rises: 2^-25 of less than 65536 units; by what
+// is cut off of a rise of 1024 units and more, a quarter of a unit at most; and by 2^-14 a pixel. False where it is no
 // such triangle.
 inline bool small_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], DepthPlane& plane) {
   Gradient gradient;

@@ -10,7 +10,7 @@ namespace spanline {
 
 // A triangle's depth as a ramp for line 0 and its step a line, Q16.13 modulo 2^32. The gradients are rounded once
 // (2^-14 a pixel) and anchored at a pixel of the screen, so on a screen of w x h pixels the error stays below (w + h) *
-// 2^-14 + 2^-13 units of depth (of 65536); for a small triangle it stays below an eighth of a unit (see depth.cpp).
+// 2^-14 + 2^-13 units of depth (of 65536); for a small triangle it stays below half a unit (see depth.cpp).
 struct DepthPlane {
   DepthRamp ramp;
   std::uint32_t down = 0;
