@@ -4,12 +4,13 @@
 #include "demos/gauges.hpp"
 #include "demos/gears.hpp"
 #include "demos/patches.hpp"
+#include "demos/plot.hpp"
 #include "demos/still_life.hpp"
 #include "demos/teapot.hpp"
 
 namespace spanline::demos {
 
 // Every demo, in the order in which they are listed.
-inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges, &patches, &dice, &house, &panes};
+inline constexpr const Layouts* kAll[] = {&teapot, &cubes, &gears, &gauges, &patches, &dice, &house, &panes, &plot};
 
 }  // namespace spanline::demos

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "demo/boards.hpp"
+#include "demo/line_memory.hpp"
 #include "demo/names.hpp"
 #include "demos/all.hpp"
 #include "sim/arguments.hpp"
@@ -20,6 +21,31 @@ void require(bool ok, const Status& status, const std::string& name) {
   if (!ok) throw InputError(name, status_text(status));
 }
 
+// A line frame's picture.
+Status draw_lines(const demos::Demo& demo, const demos::Stage& stage, const EngineOptions& options, Picture& picture) {
+  const Screen screen{options.width, options.height, options.format};
+  HostLineMemory memory(screen, demo.budget);
+  LineFrame frame(memory.storage());
+  picture = Picture(screen.width, screen.height);
+  std::vector<std::uint8_t> wire(frame.line_bytes());
+  const Slice<std::uint8_t> out(wire.data(), frame.line_bytes());
+  if (frame.prepare(stage.view(), stage.camera(), {0, screen.height}).empty()) return frame.status();
+  for (std::uint16_t line = 0; frame.next_line(out); ++line) {
+    decode_line(screen.format, wire.data(), screen.width, picture.rgb.data() + std::size_t{3} * screen.width * line);
+    if (options.on_line) options.on_line({line, {wire.data(), frame.line_bytes()}});
+  }
+  return frame.status();
+}
+
+Status draw_surfaces(const demos::Demo& demo, const demos::Stage& stage, const EngineOptions& given, Picture& picture) {
+  EngineOptions options = given;
+  options.pools = pools_of(demo.budget);
+  Rendering rendering;
+  const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
+  picture = std::move(rendering.picture);
+  return drawn.ok() ? rendering.status : drawn;
+}
+
 // Frame `frame` in the pools that the board has, too; through `panel`, where there is one.
 Picture draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame, PanelOutput* panel) {
   demos::Stage stage;
@@ -30,16 +56,14 @@ Picture draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame,
   options.width = screen.width;
   options.height = screen.height;
   options.format = screen.format;
-  options.pools = pools_of(demo.budget);
   if (panel != nullptr) {
     options.on_line = [panel](const FinishedLine& line) { panel->line(line); };
     panel->begin_frame(stage.view().scene().background);
   }
-  Rendering rendering;
-  const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
+  Picture picture;
+  const Status drawn = (demo.budget.lines != 0 ? draw_lines : draw_surfaces)(demo, stage, options, picture);
   require(drawn.ok(), drawn, demo.name);
-  require(rendering.status.ok(), rendering.status, demo.name);
-  return panel != nullptr ? panel->finish_frame() : rendering.picture;
+  return panel != nullptr ? panel->finish_frame() : picture;
 }
 
 }  // namespace

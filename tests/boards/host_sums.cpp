@@ -6,6 +6,7 @@
 
 #include "core/frame/frame.hpp"
 #include "demo/boards.hpp"
+#include "demo/line_memory.hpp"
 #include "demos/all.hpp"
 
 namespace spanline::host {
@@ -32,13 +33,8 @@ std::uint32_t sum(std::uint32_t from, Slice<const std::uint8_t> bytes) {
 
 constexpr std::uint32_t kBasis = 2166136261u;
 
-template <FrameOptions kOptions>
-Status draw(demos::Stage& stage, const demos::Demo& demo, const Screen& screen, std::uint32_t number, bool lines) {
-  FrameStorage storage = memory.storage();
-  storage.screen = screen;
-  if (!demo.budget.gouraud) storage.vsg.shades.limit(0);
-  Frame<kOptions> frame(storage);
-  stage.show(number);
+template <typename TheFrame>
+Status print_sums(TheFrame& frame, const demos::Stage& stage, const Screen& screen, std::uint32_t number, bool lines) {
   std::uint32_t whole = kBasis;
   std::vector<std::uint32_t> words((frame.line_bytes() + 3) / 4);
   const Slice<std::uint8_t> line(reinterpret_cast<std::uint8_t*>(words.data()), frame.line_bytes());
@@ -56,6 +52,24 @@ Status draw(demos::Stage& stage, const demos::Demo& demo, const Screen& screen, 
   return frame.status();
 }
 
+template <FrameOptions kOptions>
+Status draw(demos::Stage& stage, const demos::Demo& demo, const Screen& screen, std::uint32_t number, bool lines) {
+  FrameStorage storage = memory.storage();
+  storage.screen = screen;
+  if (!demo.budget.gouraud) storage.vsg.shades.limit(0);
+  Frame<kOptions> frame(storage);
+  stage.show(number);
+  return print_sums(frame, stage, screen, number, lines);
+}
+
+Status draw_lines(demos::Stage& stage, const demos::Demo& demo, const Screen& screen, std::uint32_t number,
+                  bool lines) {
+  HostLineMemory pools(screen, demo.budget);
+  LineFrame frame(pools.storage());
+  stage.show(number);
+  return print_sums(frame, stage, screen, number, lines);
+}
+
 int run(const std::string& name, const std::string& board, std::uint32_t last) {
   const Screen screen = find_board(board).screen;
   demos::Stage stage;
@@ -63,7 +77,9 @@ int run(const std::string& name, const std::string& board, std::uint32_t last) {
     const demos::Demo& demo = layouts->framed_for(screen);
     if (name != demo.name) continue;
     constexpr FrameOptions kPatches{.patches = true}, kLayers{.layers = true};
-    const auto draw_demo = demo.budget.layers != 0 ? draw<kLayers> : draw<kPatches>;
+    const auto draw_demo = demo.budget.lines != 0    ? draw_lines
+                           : demo.budget.layers != 0 ? draw<kLayers>
+                                                     : draw<kPatches>;
     Status status = stage.begin(demo, screen);
     for (std::uint32_t number = 0; status.ok() && number <= last; ++number)
       status = draw_demo(stage, demo, screen, number, number == last);

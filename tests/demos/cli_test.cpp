@@ -5,6 +5,7 @@
 
 #include "assetc/text_file.hpp"
 #include "core/frame/frame_impl.hpp"
+#include "core/frame/line_frame.hpp"
 #include "demo/boards.hpp"
 #include "demos/all.hpp"
 #include "host/support.hpp"
@@ -17,7 +18,7 @@ namespace {
 TEST(DemoVerb, ListsBareNames) {
   const ToolRun run = run_tool({"demo", "--list"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\ndice\nhouse\npanes\n");
+  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\ndice\nhouse\npanes\nplot\n");
 }
 
 TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
@@ -26,7 +27,7 @@ TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
   const ToolRun demo = run_tool({"demo", "kettle", "--board", "pico", "--out", out});
   EXPECT_EQ(demo.exit_code, 2);
   EXPECT_EQ(demo.err,
-            "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches, dice, house, panes\n");
+            "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches, dice, house, panes, plot\n");
   const ToolRun board = run_tool({"demo", "teapot", "--board", "pica", "--out", out});
   EXPECT_EQ(board.exit_code, 2);
   EXPECT_NE(board.err.find("'pica' is none of ek-lm3s6965, stm32f429i-disc1, nucleo-f411re, pico"), std::string::npos);
@@ -69,7 +70,7 @@ TEST(DemoVerb, GoesThroughAnyPanelTurnedAnyWay) {
   const TemporaryFolder folder;
   const std::string out = folder.file("a.ppm");
   for (const std::string& panel : panel_names()) {
-    for (const char* demo : {"teapot", "cubes", "gears", "gauges", "patches", "dice", "house", "panes"}) {
+    for (const char* demo : {"teapot", "cubes", "gears", "gauges", "patches", "dice", "house", "panes", "plot"}) {
       const ToolRun run = run_tool({"demo", demo, "--panel", panel, "--rotation", "2", "--frame", "3", "--out", out});
       EXPECT_EQ(run.exit_code, 0) << panel << " " << demo << ": " << run.err;
     }
@@ -89,11 +90,11 @@ std::vector<std::uint8_t> in_a_boards_pools(std::uint32_t frame_number) {
   constexpr Screen kScreen{128, 64, PixelFormat::grey4};
   constexpr demos::Demo kDemo = kLayouts.framed_for(kScreen);
   constexpr Budget kBudget = demos::budget_for(kDemo, kScreen);
-  static FrameMemory<kBudget> memory;
+  static MemoryFor<kBudget> memory;
   static demos::Stage stage;
   EXPECT_TRUE(stage.begin(kDemo, kScreen).ok());
   stage.show(frame_number);
-  Frame<options_for(kBudget)> frame(memory.storage());
+  FrameFor<kBudget> frame(memory.storage());
   Picture picture(kScreen.width, kScreen.height);
   alignas(4) std::uint8_t wire[kScreen.width / 2];
   std::uint16_t line = 0;
@@ -129,6 +130,7 @@ TEST(DemoVerb, ShowsWhatTheBoardDoesInEveryPixel) {
   check("dice", in_a_boards_pools<demos::dice>(5));
   check("house", in_a_boards_pools<demos::house>(5));
   check("panes", in_a_boards_pools<demos::panes>(5));
+  check("plot", in_a_boards_pools<demos::plot>(5));
 }
 
 TEST(DemoVerb, KnowsEveryBoardOfTheFirmware) {

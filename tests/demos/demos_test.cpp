@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame/frame_impl.hpp"
+#include "core/frame/line_frame.hpp"
 #include "demos/all.hpp"
 
 namespace spanline::demos {
@@ -14,7 +15,7 @@ namespace {
 constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kSquare{240, 240, PixelFormat::rgb565},
     kTall{240, 320, PixelFormat::rgb565}, kSmall{128, 64, PixelFormat::grey4};
 // frames after which each of kAll repeats
-constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180, 240, 240, 240};
+constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180, 240, 240, 240, 240};
 
 // Where anything but background was seen.
 struct Extent {
@@ -83,6 +84,30 @@ TEST(Demos, EveryFrameFitsItsPoolsAndThePicture) {
   check_every_screen<dice>(kLoops[5]);
   check_every_screen<house>(kLoops[6]);
   check_every_screen<panes>(kLoops[7]);
+}
+
+template <Screen kScreen>
+void check_every_plot() {
+  constexpr Demo kFramed = plot.framed_for(kScreen);
+  constexpr Budget kBudget = budget_for(kFramed, kScreen);
+  static MemoryFor<kBudget> memory;
+  FrameFor<kBudget> frame(memory.storage());
+  Stage stage;
+  ASSERT_TRUE(stage.begin(kFramed, kScreen).ok());
+  for (std::uint32_t k = 0; k < 240; k += 3) {
+    stage.show(k);
+    ASSERT_FALSE(frame.prepare(stage.view(), stage.camera(), {0, kScreen.height}).empty());
+    const Status& status = frame.status();
+    ASSERT_TRUE(status.ok()) << kScreen.width << "x" << kScreen.height << ", frame " << k << ": " << status.where
+                             << " needs " << status.needed << " of " << status.limit;
+  }
+}
+
+TEST(Demos, EveryPlotFitsItsPools) {
+  check_every_plot<kWide>();
+  check_every_plot<kSquare>();
+  check_every_plot<kTall>();
+  check_every_plot<kSmall>();
 }
 
 std::vector<std::uint8_t> state(const Stage& stage) {

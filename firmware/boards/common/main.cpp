@@ -5,7 +5,7 @@
 #include "boards/common/report.hpp"
 #include "boards/common/run_request.hpp"
 #include "boards/common/stack.hpp"
-#include "core/frame/frame.hpp"
+#include "core/frame/line_frame.hpp"
 #include "demos/chosen.hpp"
 
 namespace spanline::boards {
@@ -35,9 +35,9 @@ class LinePair {
   unsigned turn_ = 0;
 };
 
-using TheFrame = Frame<options_for(kBudget)>;
+using TheFrame = FrameFor<kBudget>;
 
-FrameMemory<kBudget> memory;
+MemoryFor<kBudget> memory;
 ScanOutMemory<kBudget> shown_before;
 constinit LinePair lines;
 constinit demos::Stage stage;

@@ -36,6 +36,8 @@ struct Budget {
                               // each, and 8 more a polygon; 0: a scene without either
   std::uint16_t curves = 0;   // pieces of curves in a band that wait for their first line: 6 bytes each
   std::uint16_t strands = 0;  // y-monotone pieces of curves alive on one line, 112 bytes each; 0: no curves are drawn
+  std::uint16_t lines = 0;    // edges of all that is visible, 14 bytes each: the picture is of lines, and the pools are
+                              // those of LineMemory; 0: of surfaces
   bool gouraud = true;        // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
   // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, `facets`),
   // the place of every vertex (6 bytes each, `vertices`), the edges of one line, which may be shared by two faces (32
