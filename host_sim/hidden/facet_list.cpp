@@ -1,8 +1,11 @@
 #include "hidden/facet_list.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "core/shade/light.hpp"
+#include "hidden/convex_solids.hpp"
 #include "sim/status_text.hpp"
 
 namespace spanline::host {
@@ -38,9 +41,16 @@ Rgb8 colour_of(const FacetReader& reader, const SceneRecord& scene, bool front) 
   return LightRig(scene, reader.instance().transform).shade(normal, material, !front);
 }
 
+SolidFace solid_face(const FacetReader& reader) {
+  SolidFace face{reader.instance_index(), {}};
+  if (reader.is_patch()) return face;
+  for (const std::uint16_t corner : reader.face().corners) face.corners.push_back(reader.mesh().positions[corner]);
+  return face;
+}
+
 }  // namespace
 
-FacetList::FacetList(const CompiledScene& scene, Facing facing) {
+FacetList::FacetList(const CompiledScene& scene, Facing facing, Solids solids) {
   SceneRecord record = scene.record();
   std::vector<InstanceRecord> instances(record.instances.begin(), record.instances.end());
   if (facing == Facing::all) {
@@ -51,12 +61,16 @@ FacetList::FacetList(const CompiledScene& scene, Facing facing) {
   FacetReader reader(view, scene.camera(), {scene.description().width, scene.description().height}, {});
   std::vector<Facet> details;
   std::vector<std::uint16_t> parents;
+  std::vector<SolidFace> all;
   for (std::uint32_t face = 0; face < view.face_count(); ++face) {
     reader.select(static_cast<std::uint16_t>(face));
+    if (solids == Solids::whole) all.push_back(solid_face(reader));
     const FacetExtent extent = reader.extent();
     if ((extent.left >= extent.right && extent.first_line >= extent.end_line) || extent.area == 0) continue;
     const MaterialRecord& material = record.materials[reader.face().material];
-    Facet facet{face, {}, area::Box::none(), colour_of(reader, record, extent.front()), material.transmission, {}};
+    const bool two_sided = reader.on_screen() || (reader.instance().flags & InstanceRecord::kTwoSided) != 0;
+    Facet facet{face, {},       area::Box::none(), colour_of(reader, record, extent.front()), material.transmission,
+                {},   two_sided};
     Collect collect{facet};
     reader.read([](std::uint16_t) { return Rgb8{}; }, collect);
     if (reader.parent() == kNoFace) {
@@ -74,9 +88,40 @@ FacetList::FacetList(const CompiledScene& scene, Facing facing) {
     host->details.push_back(static_cast<std::uint16_t>(facets_.size()));
     facets_.push_back(std::move(details[i]));
   }
+  make_units(convex_solids(all));
+}
+
+// A solid of opaque faces without detail that are culled goes into the sort as one.
+void FacetList::make_units(const std::vector<std::int32_t>& solid_of_face) {
+  std::map<std::int32_t, std::size_t> unit_of;
+  std::set<std::int32_t> apart;
+  const auto solid_of = [&](const Facet& facet) {
+    return facet.face < solid_of_face.size() ? solid_of_face[facet.face] : kNoSolid;
+  };
+  for (std::uint16_t i = 0; i < hosts_; ++i) {
+    const Facet& facet = facets_[i];
+    if (!facet.details.empty() || facet.transmission != Rgb8{} || facet.two_sided) apart.insert(solid_of(facet));
+  }
+  for (std::uint16_t i = 0; i < hosts_; ++i) {
+    const std::int32_t solid = solid_of(facets_[i]);
+    const bool alone = solid == kNoSolid || apart.contains(solid);
+    const std::size_t unit = alone ? units_.size() : unit_of.try_emplace(solid, units_.size()).first->second;
+    if (unit == units_.size()) units_.emplace_back();
+    units_[unit].facets.push_back(i);
+    units_[unit].bounds.widen(facets_[i].bounds.low);
+    units_[unit].bounds.widen(facets_[i].bounds.high);
+  }
 }
 
 void FacetList::put(std::uint16_t i, area::AreaSort& sort) const {
+  const std::vector<std::uint16_t>& facets = units_[i].facets;
+  if (facets.size() == 1) return put_face(facets[0], sort);
+  sort.begin_group();
+  for (const std::uint16_t facet : facets) put_face(facet, sort);
+  sort.end_group();
+}
+
+void FacetList::put_face(std::uint16_t i, area::AreaSort& sort) const {
   const bool clear = facets_[i].transmission != Rgb8{};
   sort.begin_polygon(i, clear ? area::Opacity::translucent : area::Opacity::opaque);
   put_rings(facets_[i], sort);

@@ -17,28 +17,44 @@ struct Facet {
   Rgb8 color;
   Rgb8 transmission;                   // as MaterialRecord has it; all 0: opaque
   std::vector<std::uint16_t> details;  // facets that lie on this one
+  bool two_sided;                      // seen from both sides, or of a mesh on the screen
 };
 
 enum class Facing { as_culled, all };
 
-// A scene for area::WindowSort, which knows nothing of surface detail: that comes with the face that it lies on. Detail
-// of a see-through face is left out. Where a face has more than three corners and they do not lie in one plane, the
-// plane of its largest triangle stands for it.
+// Whether what is seen of a convex solid goes into the sort as one silhouette (the seed's consolidation).
+enum class Solids { whole, face_by_face };
+
+// A scene for area::WindowSort, which knows nothing of surface detail and of solids: the former comes with the face
+// that it lies on, and a solid's faces come together. Detail of a see-through face is left out. Where a face has more
+// than three corners and they do not lie in one plane, the plane of its largest triangle stands for it.
 class FacetList {
  public:
   // What `scene` shows in its present frame. A Gouraud face has the colour of its face normal.
-  FacetList(const CompiledScene& scene, Facing facing);
+  FacetList(const CompiledScene& scene, Facing facing, Solids solids = Solids::whole);
 
-  std::uint32_t count() const { return hosts_; }
-  const area::Box& bounds(std::uint16_t i) const { return facets_[i].bounds; }
+  // Of what goes into the sort at once: a face with its detail, or a solid.
+  std::uint32_t count() const { return static_cast<std::uint32_t>(units_.size()); }
+  const area::Box& bounds(std::uint16_t i) const { return units_[i].bounds; }
   void put(std::uint16_t i, area::AreaSort& sort) const;
+
+  std::uint32_t hosts() const { return hosts_; }  // facets that are no detail
 
   const std::vector<Facet>& facets() const { return facets_; }
   const Facet& operator[](std::size_t i) const { return facets_[i]; }
 
  private:
+  struct Unit {
+    std::vector<std::uint16_t> facets;
+    area::Box bounds = area::Box::none();
+  };
+
+  void put_face(std::uint16_t facet, area::AreaSort& sort) const;
+  void make_units(const std::vector<std::int32_t>& solid_of_face);
+
   std::vector<Facet> facets_;  // detail comes last
-  std::uint32_t hosts_ = 0;    // facets before
+  std::vector<Unit> units_;
+  std::uint32_t hosts_ = 0;  // facets before
 };
 
 }  // namespace spanline::host

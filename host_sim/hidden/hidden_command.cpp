@@ -28,9 +28,12 @@ void HiddenCommand::run() const {
   const CompiledScene scene = compile(scene_.load(false));
   const SceneDescription& description = scene.description();
   const FacetList facets(scene, Facing::as_culled);
-  const HiddenView view = remove_hidden(facets, description, static_cast<std::uint32_t>(window));
-  if (json_) write_file(*json_, hidden_json(view, facets, scene));
+  const auto view_with = [&](area::Panes panes) {
+    return remove_hidden(facets, description, static_cast<std::uint32_t>(window), panes);
+  };
+  if (json_) write_file(*json_, hidden_json(view_with(area::Panes::shown), facets, scene));
   if (!svg_) return;
+  const HiddenView view = view_with(area::Panes::named);
   if (!lines_) return write_file(*svg_, surfaces_svg(view, facets, description));
   const std::vector<Line> visible = visible_lines(view);
   std::vector<Line> hidden;

@@ -11,8 +11,6 @@ using nlohmann::ordered_json;
 ordered_json numbers(Vec3 v) { return ordered_json::array({v.x, v.y, v.z}); }
 ordered_json numbers(Rgb8 c) { return ordered_json::array({c.r, c.g, c.b}); }
 
-constexpr double kWithin = 0.9999;  // of the far plane, for what is seen of the background through films
-
 // From the screen back into the scene's own units, by the very camera that the engine used.
 class Unprojection {
  public:
@@ -23,7 +21,7 @@ class Unprojection {
         height_(scene.description().height) {}
 
   Vec3 operator()(const ScreenVertex& v) const {
-    const double near = camera_.near_plane.raw / 65536.0, far = camera_.far_plane.raw / 65536.0 * kWithin;
+    const double near = camera_.near_plane.raw / 65536.0, far = camera_.far_plane.raw / 65536.0;
     const double distance = std::clamp(v.depth > 0 ? near * 65536 / v.depth : far, near, far);
     const double per_px = distance / (camera_.focal.raw / 4096.0);
     const double right = (v.at.x / double{kSubpixels} - width_ / 2.0) * per_px;
@@ -46,19 +44,24 @@ class Unprojection {
   double width_, height_;
 };
 
-// One colour, one material.
+// One look, one material.
 class Materials {
  public:
-  std::string name_of(Rgb8 c) {
-    const auto [entry, fresh] = names_.emplace(std::array{c.r, c.g, c.b}, "seen" + std::to_string(names_.size()));
-    if (fresh) list.push_back({{"name", entry->second}, {"color", numbers(c)}, {"shading", "unlit"}});
+  std::string name_of(Rgb8 c, Rgb8 through) {
+    const auto [entry, fresh] = names_.emplace(std::array{c.r, c.g, c.b, through.r, through.g, through.b},
+                                               "seen" + std::to_string(names_.size()));
+    if (!fresh) return entry->second;
+    list.push_back({{"name", entry->second}, {"color", numbers(c)}, {"shading", "unlit"}});
+    if (through != Rgb8{}) {
+      list.back()["transmission"] = numbers((1 / 255.0) * Vec3{1.0 * through.r, 1.0 * through.g, 1.0 * through.b});
+    }
     return entry->second;
   }
 
   ordered_json list = ordered_json::array();
 
  private:
-  std::map<std::array<std::uint8_t, 3>, std::string> names_;
+  std::map<std::array<std::uint8_t, 6>, std::string> names_;
 };
 
 ordered_json on_screen(const VisiblePolygon& polygon, const FacetList& facets) {
@@ -70,9 +73,7 @@ ordered_json on_screen(const VisiblePolygon& polygon, const FacetList& facets) {
     }
   }
   for (const std::uint16_t film : polygon.films) films.push_back(facets[film].face);
-  ordered_json source = nullptr;
-  if (polygon.facet != area::kBackdrop) source = facets[polygon.facet].face;
-  return {{"source", std::move(source)}, {"films", std::move(films)}, {"rings", std::move(rings)}};
+  return {{"source", facets[polygon.facet].face}, {"films", std::move(films)}, {"rings", std::move(rings)}};
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ std::string hidden_json(const HiddenView& view, const FacetList& facets, const C
       polygons.push_back(on_screen(view.polygons[i], facets));
     }
     meshes.push_back({{"name", name},
-                      {"material", materials.name_of(first.color)},
+                      {"material", materials.name_of(first.color, first.transmission)},
                       {"vertices", std::move(vertices)},
                       {"faces", std::move(faces)}});
     instances.push_back({{"mesh", name}, {"cull", false}});

@@ -7,7 +7,7 @@
 namespace spanline::host {
 
 // The visible polygons as a scene file (docs/scene.md) that shows the same picture: a mesh a face, in world coordinates
-// and in the colour seen; under `hidden` the same polygons in screen coordinates and what the sort did.
+// and its colour; under `hidden` the same polygons in screen coordinates and what the sort did.
 std::string hidden_json(const HiddenView& view, const FacetList& facets, const CompiledScene& scene);
 
 }  // namespace spanline::host

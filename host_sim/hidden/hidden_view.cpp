@@ -15,7 +15,7 @@ struct Collect {
   area::Plane plane;
 
   void begin_piece(std::uint16_t source, const area::Plane& of) {
-    polygons.push_back({source, {}, {}, {}});
+    polygons.push_back({source, {}, {}, {}, {}});
     plane = of;
   }
   void film(std::uint16_t source) { polygons.back().films.push_back(source); }
@@ -63,10 +63,11 @@ std::tuple<std::uint16_t, std::uint8_t, std::uint8_t, std::uint8_t> key_of(const
 
 }  // namespace
 
-HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window) {
+HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window,
+                         area::Panes panes) {
   SortMemory pools;
   std::vector<std::uint16_t> names(UINT16_MAX);
-  area::AreaSort sort(pools.refs());
+  area::AreaSort sort(pools.refs(), panes);
   area::WindowSort<FacetList> windows(sort, {names.data(), UINT16_MAX - 1}, window);
   const area::Box screen{
       {0, 0},
@@ -80,10 +81,20 @@ HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene,
     throw InputError(scene.place, "is too intricate for the area sort: " + face + " needs more than " +
                                       std::to_string(status.limit) + " " + status.where);
   }
-  for (VisiblePolygon& polygon : view.polygons) polygon.color = seen_colour(polygon, facets, scene);
+  if (panes == area::Panes::shown) {
+    std::erase_if(view.polygons, [](const VisiblePolygon& polygon) { return polygon.facet == area::kBackdrop; });
+  }
+  for (VisiblePolygon& polygon : view.polygons) {
+    if (panes == area::Panes::shown) {
+      polygon.color = facets[polygon.facet].color;
+      polygon.transmission = facets[polygon.facet].transmission;
+    } else {
+      polygon.color = seen_colour(polygon, facets, scene);
+    }
+  }
   std::stable_sort(view.polygons.begin(), view.polygons.end(),
                    [](const VisiblePolygon& a, const VisiblePolygon& b) { return key_of(a) < key_of(b); });
-  view.clips = windows.counts().sort.clips;
+  view.clips = windows.counts().sort.clips + windows.counts().sort.details;
   view.windows = windows.counts().windows;
   return view;
 }

@@ -13,7 +13,8 @@ struct ScreenVertex {
 struct VisiblePolygon {
   std::uint16_t facet;                           // into the FacetList; area::kBackdrop: the background behind films
   std::vector<std::uint16_t> films;              // see-through facets in front of it, from front to back
-  Rgb8 color{};                                  // through them
+  Rgb8 color{};                                  // through them; where they are shown, its own
+  Rgb8 transmission{};                           // where films are shown and this is one
   std::vector<std::vector<ScreenVertex>> rings;  // the outline, then its holes
 };
 
@@ -22,12 +23,15 @@ inline bool looks_like(const VisiblePolygon& a, const VisiblePolygon& b) {
 }
 
 struct HiddenView {
-  std::vector<VisiblePolygon> polygons;  // never overlapping; in the order of their facets and colours
-  std::uint32_t clips = 0, windows = 0;
+  std::vector<VisiblePolygon> polygons;  // in the order of their facets and colours
+  std::uint32_t clips = 0, windows = 0;  // runs of the clipper, windows sorted
 };
 
-// `window`: polygons in a window at most, 0 for one window. Throws InputError where a view is too
-// intricate even for the smallest window.
-HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window);
+// `window`: polygons in a window at most, 0 for one window. Where panes are named the polygons do not overlap, and what
+// is seen through see-through faces, the background too, has its colour through them; where they are shown, see-through
+// faces are polygons that overlap what lies behind, and everything has its own colour. Throws InputError where a view
+// is too intricate even for the smallest window.
+HiddenView remove_hidden(const FacetList& facets, const SceneDescription& scene, std::uint32_t window,
+                         area::Panes panes);
 
 }  // namespace spanline::host
