@@ -5,10 +5,7 @@
 namespace spanline::host {
 namespace {
 
-template <typename T>
-Slice<T> slice_of(std::vector<T>& items) {
-  return {items.data(), static_cast<std::uint32_t>(items.size())};
-}
+constexpr std::uint16_t kNone = 0;
 
 }  // namespace
 
@@ -30,6 +27,7 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
 }
 
 PoolSizes pools_of(const Budget& budget) {
+  const std::uint16_t default_looks = budget.walker == Walker::segments ? 15 : 127;
   return {.facets = budget.facets,
           .vertices = budget.vertices,
           .polygons = budget.polygons,
@@ -42,72 +40,79 @@ PoolSizes pools_of(const Budget& budget) {
           .patch_vertices = budget.patch_vertices,
           .curves = budget.curves,
           .strands = budget.strands,
+          .point_lines = budget.point_lines,
           .patch_tolerance = budget.patch_tolerance,
           .active = budget.active,
-          .gouraud = budget.gouraud};
+          .gouraud = budget.gouraud,
+          .looks = budget.looks != 0 ? budget.looks : default_looks,
+          .tables = budget.tables,
+          .planes = budget.planes};
 }
 
-HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes)
-    : screen_(screen),
-      facets_(sizes.facets),
-      buckets_(band_lines),
-      vertices_(sizes.vertices),
-      polygons_(sizes.polygons),
-      edges_(sizes.edges),
-      segments_(sizes.segments),
-      shades_(sizes.gouraud ? sizes.segments : std::uint16_t{0}),
-      active_(sizes.active != 0 ? sizes.active : sizes.segments),
-      samples_{Blocks<std::int16_t>(sizes.samples), Blocks<std::int16_t>(sizes.samples)},
-      implied_(sizes.implied),
-      polygon_looks_(sizes.polygons),
-      aside_(sizes.layers),
-      stack_(sizes.layers),
-      patch_facets_(sizes.patch_facets),
-      patch_vertices_(sizes.patch_vertices),
-      patch_normals_(sizes.gouraud ? sizes.patch_vertices : std::uint16_t{0}),
-      patch_tolerance_(sizes.patch_tolerance),
-      points_(sizes.vertices),
-      links_(sizes.vertices),
-      vertex_buckets_(screen.height),
-      faces_(sizes.facets),
-      active_edges_{Blocks<ActiveEdge>(sizes.edges), Blocks<ActiveEdge>(sizes.edges)},
-      planes_(255),
-      levels_(sizes.vertices),
-      looks_(1023),
-      tables_(15),
-      points_of_band_(std::size_t{screen.width} * std::min(band_lines, sizes.point_lines)),
-      faces_of_points_(points_of_band_.size()),
-      pieces_(sizes.curves),
-      piece_buckets_(band_lines),
-      strands_(sizes.strands),
-      masks_(screen.width) {}
+template <typename T>
+Slice<T> HostMemory::take_items(std::uint32_t count) {
+  const auto items = std::make_shared<std::vector<T>>(count);
+  owned_.push_back(items);
+  bytes_ += count * sizeof(T);
+  return {items->data(), count};
+}
 
-FrameStorage HostMemory::storage() {
-  overlay_.use({pieces_.ref(), piece_buckets_.ref(), strands_.ref(), masks_.ref()});
-  return {screen_,
-          facets_.ref(),
-          buckets_.ref(),
-          vertices_.ref(),
-          {polygons_.ref(),
-           edges_.ref(),
-           segments_.ref(),
-           shades_.ref(),
-           active_.ref(),
-           {samples_[0].ref(), samples_[1].ref()},
-           implied_.ref(),
-           nullptr,
-           {polygon_looks_.ref(), aside_.ref(), stack_.ref()}},
-          {patch_facets_.ref(), patch_vertices_.ref(), patch_normals_.ref(), patch_tolerance_},
-          {{points_.ref(),
-            links_.ref(),
-            vertex_buckets_.ref(),
-            {active_edges_[0].ref(), active_edges_[1].ref()},
-            planes_.ref()},
-           faces_.ref(),
-           levels_.ref()},
-          {looks_.ref(), tables_.ref()},
-          &overlay_,
-          {slice_of(points_of_band_), slice_of(faces_of_points_)}};
+template <typename T>
+PoolRef<T> HostMemory::take(std::uint16_t capacity) {
+  return {take_items<T>(std::uint32_t{capacity} + 1).data(), capacity};
+}
+
+void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& sizes) {
+  storage_.facets = take<WaitingFacet>(sizes.facets);
+  storage_.buckets = take<std::uint16_t>(band_lines);
+  storage_.vertices = take<ScreenPoint>(sizes.vertices);
+  VsgStorage& vsg = storage_.vsg;
+  vsg.polygons = take<PolygonBlock>(sizes.polygons);
+  vsg.edges = take<EdgeBlock>(sizes.edges);
+  vsg.segments = take<SegmentBlock>(sizes.segments);
+  vsg.shades = take<SegmentShade>(sizes.gouraud ? sizes.segments : kNone);
+  vsg.active = take<ActiveSegment>(sizes.active != 0 ? sizes.active : sizes.segments);
+  for (PoolRef<std::int16_t>& samples : vsg.samples) samples = take<std::int16_t>(sizes.samples);
+  vsg.implied = take<ImpliedEdge>(sizes.implied);
+  if (sizes.has(sizes.layers)) {
+    vsg.layers = {take<PolygonLook>(sizes.polygons), take<ActiveSegment>(sizes.layers), take<Layer>(sizes.layers)};
+  }
+  if (!sizes.has(sizes.patch_facets)) return;
+  storage_.patches = {take<DicedFacet>(sizes.patch_facets), take<ScreenPoint>(sizes.patch_vertices),
+                      take<Normal10>(sizes.gouraud ? sizes.patch_vertices : kNone), sizes.patch_tolerance};
+}
+
+void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
+  EdgeStorage& walker = storage_.mesh.walker;
+  walker.points = take<ScreenXY>(sizes.vertices);
+  walker.links = take<std::uint16_t>(sizes.vertices);
+  walker.buckets = take<std::uint16_t>(lines);
+  for (PoolRef<ActiveEdge>& edges : walker.edges) edges = take<ActiveEdge>(sizes.edges);
+  walker.planes = take<CachedPlane>(sizes.planes);
+  storage_.mesh.faces = take<std::uint16_t>(sizes.facets);
+  storage_.mesh.levels = take<Brightness>(sizes.gouraud ? sizes.vertices : kNone);
+}
+
+void HostMemory::take_curve_pools(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes) {
+  if (!sizes.has(sizes.strands)) return;
+  overlay_.use({take<WaitingPiece>(sizes.curves), take<std::uint16_t>(band_lines), take<StrandBlock>(sizes.strands),
+                take<CoverageMask>(screen.width)});
+  storage_.curves = &overlay_;
+}
+
+// Who looks at the faces is not on a board.
+void HostMemory::take_points(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes) {
+  const std::uint32_t cells = std::uint32_t{screen.width} * std::min(band_lines, sizes.point_lines);
+  storage_.points = {take_items<std::uint32_t>(cells), take_items<std::uint16_t>(sizes.exact ? 0 : cells)};
+}
+
+HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes) {
+  storage_.screen = screen;
+  if (sizes.walker != Walker::edges) take_segment_pools(band_lines, sizes);
+  if (sizes.walker != Walker::segments) take_mesh_pools(screen.height, sizes);
+  if (sizes.has(sizes.gouraud)) storage_.smooth = {take<FaceLook>(sizes.looks), take<ColorTable>(sizes.tables)};
+  take_curve_pools(screen, band_lines, sizes);
+  take_points(screen, band_lines, sizes);
 }
 
 HostScanOutMemory::HostScanOutMemory(const Screen& screen, ScanPolicy policy, std::uint8_t window_bytes)

@@ -1,6 +1,7 @@
 // A FrameMemory whose sizes are chosen at run time.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct PoolSizes {
   std::uint16_t patch_tolerance = 8;  // 1/16 px
   std::uint16_t active = 0;           // as Budget has it
   bool gouraud = true;                // likewise
+  std::uint16_t looks = 1023, tables = 15, planes = 255;
+  Walker walker = Walker::both;  // whose pools there are
+  // What there is no room for has no pools at all, not even a sink, and must not be drawn.
+  bool exact = false;
+
+  bool has(std::uint16_t room) const { return room != 0 || !exact; }
 
   // The size of the pool of this name (arguments.hpp), to read or set; null where there is none.
   std::uint16_t* find(const std::string& pool);
@@ -32,55 +39,26 @@ class HostMemory {
   HostMemory(const HostMemory&) = delete;
   HostMemory& operator=(const HostMemory&) = delete;
 
-  FrameStorage storage();
+  const FrameStorage& storage() const { return storage_; }
+
+  // Of all pools; the blocks hold no pointers, so that they are as large on a board.
+  std::size_t bytes() const { return bytes_; }
 
  private:
-  // The blocks and their sink.
   template <typename T>
-  class Blocks {
-   public:
-    explicit Blocks(std::uint16_t capacity) : items_(std::size_t{capacity} + 1), capacity_(capacity) {}
-    PoolRef<T> ref() { return {items_.data(), capacity_}; }
+  Slice<T> take_items(std::uint32_t count);
+  // A pool of so many blocks and their sink.
+  template <typename T>
+  PoolRef<T> take(std::uint16_t capacity);
+  void take_segment_pools(std::uint16_t band_lines, const PoolSizes& sizes);
+  void take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes);
+  void take_curve_pools(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes);
+  void take_points(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes);
 
-   private:
-    std::vector<T> items_;
-    std::uint16_t capacity_;
-  };
-
-  Screen screen_;
-  Blocks<WaitingFacet> facets_;
-  Blocks<std::uint16_t> buckets_;
-  Blocks<ScreenPoint> vertices_;
-  Blocks<PolygonBlock> polygons_;
-  Blocks<EdgeBlock> edges_;
-  Blocks<SegmentBlock> segments_;
-  Blocks<SegmentShade> shades_;
-  Blocks<ActiveSegment> active_;
-  Blocks<std::int16_t> samples_[2];
-  Blocks<ImpliedEdge> implied_;
-  Blocks<PolygonLook> polygon_looks_;
-  Blocks<ActiveSegment> aside_;
-  Blocks<Layer> stack_;
-  Blocks<DicedFacet> patch_facets_;
-  Blocks<ScreenPoint> patch_vertices_;
-  Blocks<Normal10> patch_normals_;
-  std::uint16_t patch_tolerance_;
-  Blocks<ScreenXY> points_;  // the edge walker's from here on
-  Blocks<std::uint16_t> links_;
-  Blocks<std::uint16_t> vertex_buckets_;
-  Blocks<std::uint16_t> faces_;
-  Blocks<ActiveEdge> active_edges_[2];
-  Blocks<CachedPlane> planes_;
-  Blocks<Brightness> levels_;
-  Blocks<FaceLook> looks_;
-  Blocks<ColorTable> tables_;
-  std::vector<std::uint32_t> points_of_band_;
-  std::vector<std::uint16_t> faces_of_points_;
-  Blocks<WaitingPiece> pieces_;
-  Blocks<std::uint16_t> piece_buckets_;
-  Blocks<StrandBlock> strands_;
-  Blocks<CoverageMask> masks_;
+  std::vector<std::shared_ptr<void>> owned_;
+  std::size_t bytes_ = 0;
   CurveOverlay overlay_;
+  FrameStorage storage_{};
 };
 
 // A ScanOutMemory likewise.
