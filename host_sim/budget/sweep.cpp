@@ -4,7 +4,6 @@
 
 #include "assetc/compile.hpp"
 #include "assetc/input_error.hpp"
-#include "core/frame/storage.hpp"
 #include "sim/engine.hpp"
 #include "sim/fitted_budget.hpp"
 #include "sim/status_text.hpp"
@@ -19,6 +18,7 @@ constexpr Size kDisplays[] = {{128, 64}, {160, 128}, {240, 135}, {240, 240}, {32
 constexpr unsigned kPoolPercents[] = {100, 75, 50, 33};
 constexpr std::int64_t kMostFrames = 8;  // of an animation, evenly spread
 constexpr unsigned kMarginPercent = 15;
+constexpr std::uint32_t kMostBlocks = 32767;  // of any pool
 
 std::int64_t frames_of(const SceneDescription& scene) {
   std::int64_t frames = scene.camera.motion.frames;
@@ -39,38 +39,34 @@ Budget shrunk(Budget budget, unsigned percent) {
   return budget;
 }
 
-template <typename Block>
-std::uint32_t pool_bytes(std::uint32_t capacity) {
-  return (capacity + 1) * static_cast<std::uint32_t>(sizeof(Block));
+std::uint32_t bytes_of(const Budget& budget) {
+  PoolSizes pools = pools_of(budget);
+  pools.walker = budget.walker;
+  pools.exact = true;
+  const HostMemory memory({budget.width, budget.height, budget.format}, budget.height, pools);
+  return static_cast<std::uint32_t>(memory.bytes()) + 2 * bytes_per_line(budget.format, budget.width);
 }
 
-constexpr std::uint32_t kLayerBytes = 24;  // on a board, where a pointer has four
+void raise(double& most, double value) { most = std::max(most, value); }
 
-std::uint32_t layer_bytes(const Budget& b) {
-  if (b.layers == 0) return 0;
-  return pool_bytes<PolygonLook>(b.polygons) + pool_bytes<ActiveSegment>(b.layers) + (b.layers + 1) * kLayerBytes;
+void widen(FrameWork& work, const Statistics& counted, double faces) {
+  const double crossings = counted.edge_crossings;
+  raise(work.faces, faces);
+  raise(work.crossings, crossings);
+  raise(work.overlaps, counted.comparator_cycles - crossings / 2);
+  raise(work.references, counted.segment_references);
+  raise(work.faces_again, faces * (counted.bands - 1));
 }
 
-// The other blocks hold no pointers: they are as large on a board.
-std::uint32_t bytes_of(const Budget& b) {
-  return pool_bytes<WaitingFacet>(b.facets) + pool_bytes<std::uint16_t>(b.height) +
-         pool_bytes<ScreenPoint>(b.vertices) + pool_bytes<PolygonBlock>(b.polygons) + pool_bytes<EdgeBlock>(b.edges) +
-         pool_bytes<SegmentBlock>(b.segments) + (b.gouraud ? pool_bytes<SegmentShade>(b.segments) : 0) +
-         pool_bytes<ActiveSegment>(b.active) + 2 * pool_bytes<std::int16_t>(b.samples) +
-         pool_bytes<ImpliedEdge>(b.implied) + layer_bytes(b) + 2 * bytes_per_line(b.format, b.width);
-}
-
+// By the segment walker, whose statistics tell what there is to do for either.
 SweepRow draw_with(CompiledScene& scene, const Budget& budget, unsigned percent, std::int64_t frames) {
   SweepRow row{budget, percent, bytes_of(budget), 0, {}};
-  row.work.pixels = std::uint64_t{budget.width} * budget.height;
-  const PoolSizes ample;
+  row.work.pixels = static_cast<double>(budget.width) * budget.height;
   EngineOptions options;
   options.width = budget.width;
   options.height = budget.height;
   options.observe = true;
-  options.pools = pools_of(budget);
-  options.pools.curves = ample.curves;  // a fitted budget says nothing of curves
-  options.pools.strands = ample.strands;
+  if (budget.walker == Walker::segments) options.pools = pools_of(budget);
   const std::unique_ptr<Engine> engine = Engine::make(options);
   Rendering rendering;
   const std::int64_t step = std::max<std::int64_t>(1, frames / kMostFrames);
@@ -83,40 +79,50 @@ SweepRow draw_with(CompiledScene& scene, const Budget& budget, unsigned percent,
       return row;
     }
     row.bands = std::max(row.bands, rendering.statistics.bands);
-    row.work.references = std::max<std::uint64_t>(row.work.references, rendering.statistics.segment_references);
-    row.work.faces_again =
-        std::max<std::uint64_t>(row.work.faces_again, std::uint64_t{view.face_count()} * (row.bands - 1));
+    widen(row.work, rendering.statistics, view.face_count());
   }
   return row;
 }
 
-Budget fitted_at(const SceneDescription& scene, Size size, std::int64_t frames) {
-  SceneDescription resized = scene;
-  resized.width = size.width;
-  resized.height = size.height;
-  CompiledScene compiled = compile(resized);
-  return fitted_budget(compiled, 0, std::min(frames, kMostFrames) - 1);
+SceneDescription resized(const SceneDescription& scene, Size size) {
+  SceneDescription other = scene;
+  other.width = size.width;
+  other.height = size.height;
+  return other;
 }
 
+// Of the edge walker's pools only the edges of a line depend on the view.
 Budget with_margin(Budget budget) {
-  for (std::uint16_t* pool : {&budget.facets, &budget.vertices, &budget.polygons, &budget.edges, &budget.segments,
-                              &budget.active, &budget.samples, &budget.implied, &budget.layers}) {
-    *pool = static_cast<std::uint16_t>(std::min<std::uint32_t>(65534, *pool + (*pool * kMarginPercent + 99) / 100));
+  std::vector<std::uint16_t*> pools = {&budget.edges};
+  if (budget.walker == Walker::segments) {
+    pools.insert(pools.end(),
+                 {&budget.facets, &budget.vertices, &budget.polygons, &budget.segments, &budget.active, &budget.samples,
+                  &budget.implied, &budget.layers, &budget.patch_facets, &budget.patch_vertices});
+  }
+  for (std::uint16_t* const pool : pools) {
+    *pool =
+        static_cast<std::uint16_t>(std::min<std::uint32_t>(kMostBlocks, *pool + (*pool * kMarginPercent + 99) / 100));
   }
   return budget;
+}
+
+Budget suggested_for(const SceneDescription& scene, std::int64_t last) {
+  CompiledScene compiled = compile(scene);
+  const std::optional<Budget> edges = fitted_edge_budget(compiled, 0, last);
+  return with_margin(edges ? *edges : fitted_budget(compiled, 0, last));
 }
 
 }  // namespace
 
 Sweep sweep(const SceneDescription& scene) {
-  const std::int64_t frames = frames_of(scene);
-  Sweep result{{}, with_margin(fitted_at(scene, {scene.width, scene.height}, frames)), kMarginPercent};
+  const std::int64_t frames = frames_of(scene), last = std::min(frames, kMostFrames) - 1;
+  Sweep result{{}, suggested_for(scene, last), kMarginPercent};
   for (const Size& size : kDisplays) {
-    const Budget fitted = fitted_at(scene, size, frames);
-    SceneDescription resized = scene;
-    resized.width = size.width;
-    resized.height = size.height;
-    CompiledScene compiled = compile(resized);
+    CompiledScene compiled = compile(resized(scene, size));
+    if (const std::optional<Budget> edges = fitted_edge_budget(compiled, 0, last)) {
+      result.rows.push_back(draw_with(compiled, *edges, kPoolPercents[0], frames));
+    }
+    const Budget fitted = fitted_budget(compiled, 0, last);
     for (const unsigned percent : kPoolPercents) {
       result.rows.push_back(draw_with(compiled, shrunk(fitted, percent), percent, frames));
     }

@@ -15,10 +15,10 @@ constexpr std::uint32_t kBesides = 6 * 1024;  // stack with the frame object on 
 constexpr double kClocks[] = {48, 64, 100, 125, 168};  // MHz
 // What the text has room for; the JSON has every core at every clock.
 struct Shown {
-  std::size_t price;  // of frame_prices()
+  const char* core;
   int megahertz;
 };
-constexpr Shown kShown[] = {{0, 48}, {0, 125}, {1, 50}, {2, 100}, {2, 168}};
+constexpr Shown kShown[] = {{"m0+", 48}, {"m0+", 125}, {"m3", 50}, {"m4", 100}, {"m4", 168}};
 constexpr const char* kBoards[] = {"microbit", "ek-lm3s6965", "nucleo-f411re", "stm32f429i-disc1", "pico"};
 
 std::uint32_t ram_of(const BoardDescription& board) {
@@ -39,9 +39,9 @@ std::string boards_with_room(const SweepRow& row) {
 }
 
 // Frames a second, as far as computing goes.
-double rate(const SweepRow& row, const FramePrice& price, double megahertz) {
-  return megahertz * 1e6 / estimated_cycles(price, row.work);
-}
+double rate(const SweepRow& row, const char* core, double megahertz) { return megahertz * 1e6 / row.cycles_on(core); }
+
+const char* walker_of(const SweepRow& row) { return row.budget.walker == Walker::edges ? "edges" : "segments"; }
 
 }  // namespace
 
@@ -49,21 +49,21 @@ std::string sweep_text(const Sweep& sweep) {
   std::ostringstream out;
   out << "RAM: pools and two lines, " << kBesides
       << " bytes more for stack and variables; frames a second by computing, an "
-      << "estimate\n     size  pools     RAM  bands";
+      << "estimate\n     size    walker  pools     RAM  bands";
   for (const Shown& shown : kShown) {
-    out << std::setw(9) << frame_prices()[shown.price].core + std::string("@") + std::to_string(shown.megahertz);
+    out << std::setw(9) << std::string(shown.core) + "@" + std::to_string(shown.megahertz);
   }
   out << "  fits\n" << std::fixed << std::setprecision(1);
   for (const SweepRow& row : sweep.rows) {
-    out << std::setw(9) << std::to_string(row.budget.width) + "x" + std::to_string(row.budget.height) << std::setw(5)
-        << row.percent << " %" << std::setw(8) << row.bytes << std::setw(7);
+    out << std::setw(9) << std::to_string(row.budget.width) + "x" + std::to_string(row.budget.height) << std::setw(10)
+        << walker_of(row) << std::setw(5) << row.percent << " %" << std::setw(8) << row.bytes << std::setw(7);
     if (row.bands == 0) {
       out << "-"
           << "  some line has no room\n";
       continue;
     }
     out << row.bands;
-    for (const Shown& shown : kShown) out << std::setw(9) << rate(row, frame_prices()[shown.price], shown.megahertz);
+    for (const Shown& shown : kShown) out << std::setw(9) << rate(row, shown.core, shown.megahertz);
     out << "  " << boards_with_room(row) << "\n";
   }
   out << "\nsuggested, with a margin of " << sweep.margin_percent << " %:\n\n"
@@ -75,13 +75,14 @@ std::string sweep_json(const Sweep& sweep) {
   Json rows = Json::array();
   for (const SweepRow& row : sweep.rows) {
     Json rates = Json::object();
-    for (const FramePrice& price : frame_prices()) {
+    for (const char* const core : kPricedCores) {
       for (const double clock : kClocks) {
-        if (row.bands != 0) rates[price.core][std::to_string(static_cast<int>(clock))] = rate(row, price, clock);
+        if (row.bands != 0) rates[core][std::to_string(static_cast<int>(clock))] = rate(row, core, clock);
       }
     }
     rows.push_back({{"width", row.budget.width},
                     {"height", row.budget.height},
+                    {"walker", walker_of(row)},
                     {"pools_percent", row.percent},
                     {"facets", row.budget.facets},
                     {"vertices", row.budget.vertices},
@@ -94,7 +95,8 @@ std::string sweep_json(const Sweep& sweep) {
   const Budget& b = sweep.suggested;
   const Json json = {{"rows", rows},
                      {"suggested",
-                      {{"width", b.width},
+                      {{"walker", b.walker == Walker::edges ? "edges" : "segments"},
+                       {"width", b.width},
                        {"height", b.height},
                        {"facets", b.facets},
                        {"vertices", b.vertices},
@@ -104,6 +106,12 @@ std::string sweep_json(const Sweep& sweep) {
                        {"active", b.active},
                        {"samples", b.samples},
                        {"implied", b.implied},
+                       {"layers", b.layers},
+                       {"patch_facets", b.patch_facets},
+                       {"patch_vertices", b.patch_vertices},
+                       {"planes", b.planes},
+                       {"looks", b.looks},
+                       {"tables", b.tables},
                        {"gouraud", b.gouraud}}},
                      {"margin_percent", sweep.margin_percent}};
   return json.dump(2) + "\n";

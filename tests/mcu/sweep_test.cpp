@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/frame/storage.hpp"
 #include "host/support.hpp"
+#include "sim/host_memory.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::host {
@@ -14,36 +16,98 @@ namespace {
 TEST(FramePrices, MeetWhatWasCounted) {
   struct Counted {
     const char* core;
-    FrameWork work;
-    double cycles;
+    double references, cycles;
   };
-  const Counted counted[] = {
-      {"m0+", {1259, 76800, 0}, 956'381}, {"m0+", {13570, 76800, 0}, 9'230'014}, {"m0+", {38857, 76800, 0}, 25'041'536},
-      {"m3", {1259, 76800, 0}, 589'327},  {"m3", {13570, 76800, 0}, 4'763'131},  {"m3", {38857, 76800, 0}, 13'917'677},
-      {"m4", {1259, 76800, 0}, 582'592},  {"m4", {13570, 76800, 0}, 4'685'910},  {"m4", {38857, 76800, 0}, 13'785'109}};
+  const Counted counted[] = {{"m0+", 1259, 956'381}, {"m0+", 13570, 9'230'014}, {"m0+", 38857, 25'041'536},
+                             {"m3", 1259, 589'327},  {"m3", 13570, 4'763'131},  {"m3", 38857, 13'917'677},
+                             {"m4", 1259, 582'592},  {"m4", 13570, 4'685'910},  {"m4", 38857, 13'785'109}};
   for (const Counted& frame : counted) {
-    for (const FramePrice& price : frame_prices()) {
-      if (std::string(price.core) != frame.core) continue;
-      EXPECT_NEAR(estimated_cycles(price, frame.work) / frame.cycles, 1, 0.05) << frame.core << " " << frame.cycles;
+    const FrameWork work{.pixels = 76800, .references = frame.references};
+    const double cycles = estimated_cycles(price_of(frame.core, Walker::segments, false), work);
+    EXPECT_NEAR(cycles / frame.cycles, 1, 0.05) << frame.core << " " << frame.cycles;
+  }
+}
+
+TEST(FramePrices, MeetTheEdgeWalkersFrames) {
+  struct Scene {
+    FrameWork work;
+    double cycles[3][2];  // of kPricedCores, flat and Gouraud
+  };
+  const auto work = [](double faces, double crossings, double tests) {
+    return FrameWork{.pixels = 76800, .faces = faces, .crossings = crossings, .overlaps = tests - crossings / 2};
+  };
+  const Scene scenes[] = {
+      {work(12, 1248, 624), {{370'583, 628'520}, {239'511, 429'446}, {237'827, 414'187}}},
+      {work(992, 8780, 5960), {{3'612'898, 4'728'025}, {1'364'803, 2'053'406}, {1'244'974, 1'884'494}}},
+      {work(2048, 17324, 12359), {{6'616'287, 9'481'290}, {2'353'952, 3'796'886}, {2'153'484, 3'476'064}}},
+      {work(120, 3808, 1807), {{704'566, 1'128'476}, {371'488, 711'999}, {365'797, 683'736}}},
+      {work(960, 9960, 5246), {{1'830'582, 2'829'420}, {730'592, 1'441'106}, {693'591, 1'357'815}}},
+      {work(3024, 17582, 9534), {{4'232'514, 6'227'543}, {1'457'646, 2'673'322}, {1'343'749, 2'473'417}}}};
+  for (const Scene& scene : scenes) {
+    for (std::size_t core = 0; core < 3; ++core) {
+      for (const bool gouraud : {false, true}) {
+        const FramePrice& price = price_of(kPricedCores[core], Walker::edges, gouraud);
+        EXPECT_NEAR(estimated_cycles(price, scene.work) / scene.cycles[core][gouraud ? 1 : 0], 1, 0.13)
+            << price.core << " " << scene.work.faces;
+      }
     }
   }
 }
 
+// The pools that the host counts are those of a FrameMemory.
+template <Budget kBudget>
+void expect_bytes_of_a_board() {
+  PoolSizes pools = pools_of(kBudget);
+  pools.walker = kBudget.walker;
+  pools.exact = true;
+  const HostMemory memory({kBudget.width, kBudget.height, kBudget.format}, kBudget.height, pools);
+  constexpr double kPadding = 64;
+  EXPECT_NEAR(static_cast<double>(memory.bytes()), static_cast<double>(sizeof(FrameMemory<kBudget>)), kPadding);
+}
+
+TEST(HostMemory, IsAsLargeAsABoards) {
+  expect_bytes_of_a_board<Budget{}>();
+  expect_bytes_of_a_board<Budget{.active = 30, .gouraud = false}>();
+  expect_bytes_of_a_board<Budget{.patch_facets = 40, .patch_vertices = 70, .layers = 12}>();
+  expect_bytes_of_a_board<Budget{.facets = 992, .vertices = 530, .edges = 60, .walker = Walker::edges}>();
+  expect_bytes_of_a_board<Budget{
+      .facets = 992, .vertices = 530, .edges = 60, .gouraud = false, .walker = Walker::edges, .planes = 7}>();
+}
+
 TEST(Sweep, SmallerPoolsTakeLessMemoryAndMoreBands) {
   const Sweep swept = sweep(SceneOptions::load_plain(std::string(SPANLINE_ASSETS) + "/scenes/S3.json"));
-  ASSERT_EQ(swept.rows.size(), 24u);
+  ASSERT_EQ(swept.rows.size(), 30u);
   for (std::size_t i = 0; i < swept.rows.size(); ++i) {
     const SweepRow& row = swept.rows[i];
+    if (i % 5 == 0) {  // the edge walker, then the segment walker with ever smaller pools
+      EXPECT_EQ(row.budget.walker, Walker::edges);
+      EXPECT_EQ(row.bands, 1u);
+      EXPECT_LT(row.cycles_on("m4"), swept.rows[i + 1].cycles_on("m4"));
+      continue;
+    }
+    EXPECT_EQ(row.budget.walker, Walker::segments);
     if (row.percent == 100) {
       EXPECT_EQ(row.bands, 1u) << row.budget.width;
-      EXPECT_EQ(row.work.faces_again, 0u);
+      EXPECT_EQ(row.work.faces_again, 0);
     } else {
       EXPECT_LT(row.bytes, swept.rows[i - 1].bytes);
       const bool fits = row.bands != 0;
       EXPECT_TRUE(!fits || row.bands >= swept.rows[i - 1].bands) << row.budget.width;
     }
   }
-  EXPECT_GE(swept.suggested.facets * 100u, swept.rows[16].budget.facets * 115u);  // 320 x 240, the scene's own size
+  const Budget& own = swept.rows[20].budget;  // 320 x 240, the scene's own size
+  EXPECT_EQ(swept.suggested.walker, Walker::edges);
+  EXPECT_EQ(swept.suggested.facets, own.facets);
+  EXPECT_GE(swept.suggested.edges * 100u, own.edges * 115u);
+}
+
+// What the edge walker cannot draw is swept by the segment walker alone.
+TEST(Sweep, KnowsWhatTheEdgeWalkerIsNotFor) {
+  const Sweep swept = sweep(SceneOptions::load_plain(std::string(SPANLINE_ASSETS) + "/scenes/S3-patches.json"));
+  ASSERT_EQ(swept.rows.size(), 24u);
+  EXPECT_EQ(swept.rows[0].budget.walker, Walker::segments);
+  EXPECT_EQ(swept.suggested.walker, Walker::segments);
+  EXPECT_GT(swept.suggested.patch_facets, swept.rows[16].budget.patch_facets);
 }
 
 TEST(SweepCommand, WritesTableAndSuggestion) {
@@ -51,7 +115,8 @@ TEST(SweepCommand, WritesTableAndSuggestion) {
   const ToolRun run = run_tool(
       {"budget", std::string(SPANLINE_ASSETS) + "/scenes/S3.json", "--sweep", "--json", folder.file("s.json")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("320x240  100 %"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("320x240     edges  100 %"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("320x240  segments  100 %"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("inline constexpr spanline::Budget kBudget{"), std::string::npos) << run.out;
   EXPECT_EQ(run_tool({"budget", "none.obj", "--sweep"}).exit_code, 1);
   EXPECT_EQ(run_tool({"budget", "none.elf"}).exit_code, 2);
