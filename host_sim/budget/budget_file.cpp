@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "assetc/input_error.hpp"
 #include "assetc/text_file.hpp"
@@ -60,8 +61,11 @@ Json read_limits(const std::string& file) {
   return json;
 }
 
-std::uint64_t whole(const Json& json, const std::string& file, const std::string& what) {
-  if (!json.is_number_unsigned()) throw InputError(file, "wanted a whole number for " + what);
+std::uint64_t limit_in(const Json& entry, const std::string& file, const std::string& quantity,
+                       const std::string& image) {
+  const Json json = entry.value("limit", Json());
+  if (!json.is_number_unsigned())
+    throw InputError(file, "wanted a whole number for " + quantity + "/limit of " + image);
   return json.get<std::uint64_t>();
 }
 
@@ -77,6 +81,7 @@ std::vector<std::string> grown_parts(const Quantity& now, const Json& before) {
   }
   std::sort(grown.rbegin(), grown.rend());
   std::vector<std::string> lines;
+  lines.reserve(grown.size());
   for (auto& [growth, line] : grown) lines.push_back(std::move(line));
   return lines;
 }
@@ -92,10 +97,12 @@ std::vector<std::string> exceeded_limits(const std::string& file, const std::str
     const Json entry = limits[image].value(quantity, Json());
     if (!entry.is_object())
       throw InputError(file, "has no limit for the " + quantity + " of '" + printable(image) + "'");
-    const std::uint64_t limit = whole(entry.value("limit", Json()), file, quantity + "/limit of " + image);
+    const std::uint64_t limit = limit_in(entry, file, quantity, image);
     if (now.amount <= limit) continue;
-    lines.push_back(image + " on " + budget.board->name + ": " + quantity + " " + std::to_string(now.amount) +
-                    " is over " + std::to_string(limit) + " by " + std::to_string(now.amount - limit));
+    std::ostringstream line;
+    line << image << " on " << budget.board->name << ": " << quantity << " " << now.amount << " is over " << limit
+         << " by " << now.amount - limit;
+    lines.push_back(line.str());
     const std::vector<std::string> grown = grown_parts(now, entry.value("parts", Json()));
     lines.insert(lines.end(), grown.begin(), grown.end());
   }

@@ -43,9 +43,9 @@ struct FrameReport {
   Spread line_cycles, line_instructions;  // a line
   std::size_t worst_frame = 0;
   std::optional<WorstLine> worst_line;
-  Rate rate;                          // of the whole animation
-  Rate worst_rate;                    // of its worst frame
-  double overlap = 0;                 // part of the wire's time in which the core works
+  Rate rate;           // of the whole animation
+  Rate worst_rate;     // of its worst frame
+  double overlap = 0;  // part of the wire's time in which the core works
   // The most that a frame took of what it would if nothing but the longer of computing and sending each line, and what
   // comes before the first, took time. 0 without lines or a cycle model.
   double pace = 0;

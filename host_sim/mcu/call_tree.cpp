@@ -12,13 +12,10 @@ std::uint32_t CallTree::find(std::uint32_t place, const Places& places) {
     const auto next = static_cast<std::uint32_t>(nodes_.size());
     const auto [child, is_first] = nodes_[node].children.try_emplace(frame, next);
     const std::uint32_t index = child->second;
-    if (is_first)
-      nodes_.push_back({node,
-                        frame,
-                        places.stage(frame).value_or(nodes_[node].stage),
-                        frame != places.frames(place).front(),
-                        {},
-                        {}});
+    if (is_first) {
+      const Stage stage = places.stage(frame).value_or(nodes_[node].stage);
+      nodes_.push_back({node, frame, stage, frame != places.frames(place).front(), {}, {}});
+    }
     node = index;
   }
   return known->second = node;

@@ -5,9 +5,10 @@
 namespace spanline::host {
 
 bool CacheTags::take(std::uint32_t line) {
-  const auto first = tags_.begin() + static_cast<std::ptrdiff_t>(line % sets_ * ways_), last = first + ways_;
+  std::uint32_t* const first = &tags_[std::size_t{line % sets_} * ways_];
+  std::uint32_t* const last = first + ways_;
   if (*first == line) return true;
-  auto found = std::find(first, last, line);
+  std::uint32_t* found = std::find(first, last, line);
   const bool hit = found != last;
   if (!hit) *(found = last - 1) = line;
   std::rotate(first, found, found + 1);

@@ -19,6 +19,7 @@ std::uint32_t Places::at(std::uint32_t address) {
   if (frames.empty()) frames.emplace_back();
   frames.front().name = name;
   std::vector<std::uint32_t> chain;
+  chain.reserve(frames.size());
   for (const Frame& frame : frames) chain.push_back(intern(frame));
   const auto next = static_cast<std::uint32_t>(chains_.size());
   const auto [known, is_new] = known_chains_.try_emplace(chain, next);
