@@ -69,6 +69,7 @@ TEST(HostMemory, IsAsLargeAsABoards) {
   expect_bytes_of_a_board<Budget{}>();
   expect_bytes_of_a_board<Budget{.active = 30, .gouraud = false}>();
   expect_bytes_of_a_board<Budget{.patch_facets = 40, .patch_vertices = 70, .layers = 12}>();
+  expect_bytes_of_a_board<Budget{.point_lines = 30}>();
   expect_bytes_of_a_board<Budget{.facets = 992, .vertices = 530, .edges = 60, .walker = Walker::edges}>();
   expect_bytes_of_a_board<Budget{
       .facets = 992, .vertices = 530, .edges = 60, .gouraud = false, .walker = Walker::edges, .planes = 7}>();
