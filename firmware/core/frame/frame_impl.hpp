@@ -46,7 +46,7 @@ struct Frame<kOptions>::Sink {
         return frame.look_of(static_cast<std::uint16_t>(face - 1));
       });
       return painter.smooth(s.left, s.right, look.plane,
-                            frame.smooth_.colors(look.look, frame.scene_.scene().materials));
+                            frame.smooth_.colors(look.material, frame.scene_.scene().materials));
     }
     painter.span(s);
   }

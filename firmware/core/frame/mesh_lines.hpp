@@ -7,6 +7,7 @@
 #include "core/geom/camera.hpp"
 #include "core/shade/light.hpp"
 #include "core/shade/painter.hpp"
+#include "core/shade/smooth_brush.hpp"
 
 namespace spanline {
 
@@ -92,6 +93,7 @@ class MeshLines {
   PoolRef<ScreenXY> points_;
   PoolRef<Brightness> levels_;
   SmoothCache smooth_;
+  SmoothBrush brush_;
   FaceWords words_;
   DepthRows rows_;
   InstanceCursor cursor_;

@@ -5,6 +5,7 @@
 #include "core/frame/mesh_lines.hpp"
 #include "core/shade/fill_words.hpp"
 #include "core/shade/flat_walk.hpp"
+#include "core/shade/smooth_walk.hpp"
 
 namespace spanline {
 
@@ -18,61 +19,35 @@ struct MeshLines<kTaps>::Sink {
   MeshLines& mesh;
   Painter& painter;
   const SpanTap& tap;
-  std::uint8_t* out;
-  const std::uint16_t* words;
   std::uint16_t line;
 
+  void begin(LineWalk& walk) const {
+    walk.pixels = painter.out();
+    walk.words = &mesh.words_[0];
+    walk.painter = &mesh.brush_;
+  }
   WalkStop run(LineWalk& walk) const {
-    if constexpr (kPaint == Paint::flat_words && !kTaps) {
-      return flat_walk(walk);
-    } else {
+    if constexpr (kPaint == Paint::any || kTaps) {
       return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
-        report_one(left, right, face);
-        paint(left, right, face);
+        one(left, right, face);
+        return true;
       });
-    }
-  }
-  void last(std::int32_t left, std::int32_t right, FaceId face) const {
-    report_one(left, right, face);
-    paint_cut(left, right, face);
-  }
-  void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
-    if constexpr (kTaps) report(left, right, face, ramp);
-    if (right + kOvershoot > mesh.screen_.width) return paint_cut(left, right, face);
-    paint(left, right, face);
-  }
-
- private:
-  static constexpr bool kWords = kPaint != Paint::any;
-  // Whether the face's word is its colour, as the background's is.
-  bool is_flat(FaceId face) const {
-    return kPaint == Paint::flat_words || face == 0 || (!kWords && !mesh.smooth_.on());
-  }
-  void paint(std::int32_t left, std::int32_t right, FaceId face) const {
-    if constexpr (kWords) {
-      if (is_flat(face)) return fill_span(out, left, right, words[face]);
-      paint_smooth(left, right, face);
+    } else if constexpr (kPaint == Paint::smooth_words) {
+      return smooth_walk(walk);
     } else {
-      paint_cut(left, right, face);
+      return flat_walk(walk);
     }
   }
-  // Not a pixel too far.
-  [[gnu::noinline]] void paint_cut(std::int32_t left, std::int32_t right, FaceId face) const {
-    if (!is_flat(face)) return paint_smooth(left, right, face);
-    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), words[face]);
-  }
-  void paint_smooth(std::int32_t left, std::int32_t right, FaceId face) const {
-    const auto from = static_cast<std::uint32_t>(left), to = static_cast<std::uint32_t>(right);
+  // Sees to the look of a face, and that the brush knows it; false where it is one colour.
+  bool learn(FaceId face) const {
     const FaceLook& look = mesh.smooth_.look(face, mesh.words_[face], [this](FaceId f) { return mesh.look_of(f); });
-    if (!look.smooth()) return painter.fill(from, to, look.look);
-    const std::uint16_t* const colors = mesh.smooth_.colors(look.look, mesh.scene_.scene().materials);
-    if constexpr (kWords) {
-      smooth_span(out, from, to, look.plane, line, colors);
-    } else {
-      painter.smooth(from, to, look.plane, colors);
+    if (!look.smooth()) return false;
+    if (!mesh.brush_.knows(face, look)) {
+      mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene().materials));
     }
+    return true;
   }
-  void report_one(std::int32_t left, std::int32_t right, FaceId face) const {
+  void one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) {
       DepthRamp ramp;
       if (face != 0) {
@@ -81,6 +56,29 @@ struct MeshLines<kTaps>::Sink {
       }
       report(left, right, face, ramp);
     }
+    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
+  }
+  void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
+    if constexpr (kTaps) report(left, right, face, ramp);
+    if (kPaint != Paint::any && right + kOvershoot <= mesh.screen_.width) {
+      if constexpr (kPaint == Paint::flat_words) {
+        return fill_span(painter.out(), left, right, mesh.words_[face]);
+      }
+      const FaceLook& look = mesh.brush_.look(mesh.words_[face]);
+      if (mesh.brush_.knows(face, look)) {
+        return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
+      }
+    }
+    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
+  }
+
+ private:
+  // Not a pixel too far.
+  [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
+    const std::uint16_t& word = mesh.words_[face];
+    if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) return painter.fill(left, right, word);
+    if (!learn(face)) return painter.fill(left, right, mesh.brush_.look(word).color());
+    painter.smooth(left, right, mesh.brush_.look(word).plane, mesh.brush_.colors());
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if (tap.span == nullptr) return;
@@ -89,7 +87,7 @@ struct MeshLines<kTaps>::Sink {
     span.left = static_cast<std::uint16_t>(left);
     span.right = static_cast<std::uint16_t>(right);
     span.face = static_cast<std::uint16_t>(face - 1);
-    span.payload = words[face];
+    span.payload = mesh.words_[face];
     span.depth = ramp;
     tap.span(tap.context, span);
   }
@@ -113,6 +111,7 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   if (const Status status = check(scene); !status.ok()) return status;
   cursor_ = InstanceCursor(scene_.scene());
   smooth_.clear();
+  brush_ = SmoothBrush(smooth_.looks());
   rows_ = DepthRows(scene_.scene(), camera_, screen_);
   walker_.begin(scene_.scene(), top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
@@ -139,6 +138,8 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
     if (scene.vertex_count() > levels_.capacity()) {
       return short_of("levels", scene.vertex_count(), levels_.capacity());
     }
+    const std::uint32_t materials = scene.scene().materials.size();
+    if (materials >= FaceLook::kNoMaterial) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
     if (has_hue(scene.scene())) return {Code::bad_record, "LightRecord", "intensity (hue)"};
   }
   for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
@@ -175,7 +176,7 @@ FaceLook MeshLines<kTaps>::look_of(FaceId face) {
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
     const std::uint16_t color = flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform));
-    return {{FaceLook::kFlat, 0, 0}, 0, color};
+    return FaceLook::flat(color);
   }
   const std::uint16_t* const corner = mesh.corners.data() + 3 * mesh_face;
   ScreenXY point[3];
@@ -262,16 +263,21 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
     ++line_;
     return true;
   }
-  if (!walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); })) return give_up(false);
+  if (walker_.is_quiet(line)) {
+    walker_.start_none();
+  } else if (!walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); })) {
+    return give_up(false);
+  }
   const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
   const auto walk = [&]<Paint kPaint>(Sink<kPaint>* none) {
     static_cast<void>(none);
-    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, painter.out(), &words_[0], line}, plane);
+    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, line}, plane);
   };
   bool whole = false;
   if (screen_.format != PixelFormat::rgb565) {
     whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
   } else if (smooth_.on()) {
+    brush_.begin_line(line);
     whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
   } else {
     whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));

@@ -10,7 +10,6 @@ namespace {
 // Gradients are made with fewer bits than the plane has, which leaves room for the steps of slivers.
 constexpr int kBits = 16;
 constexpr int kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBits;
-static_assert(kToPlane > 0, "no plane is odd: FaceLook::kFlat");
 
 // By exact divisions, for large and steep triangles; with the bits of a gradient.
 BrightnessPlane exact_plane(const ScreenXY (&at)[3], std::uint32_t start, std::int64_t rise1, std::int64_t rise2) {

@@ -41,9 +41,12 @@ static_assert(BrightnessPlane::entry(UINT32_MAX) == ColorTable::kEntries - 1);
 struct FaceLook {
   BrightnessPlane plane;
   FaceId face;
-  std::uint16_t look;                                  // the material where smooth, else the colour
-  static constexpr std::uint32_t kFlat = 0xffffffffu;  // plane.at_zero of a face of one colour; no plane's is odd
-  bool smooth() const { return plane.at_zero != kFlat; }
+  std::uint16_t material;
+
+  static constexpr std::uint16_t kNoMaterial = 0xffff;
+  static constexpr FaceLook flat(std::uint16_t color) { return {{0, color, 0}, 0, kNoMaterial}; }
+  bool smooth() const { return material != kNoMaterial; }
+  std::uint16_t color() const { return static_cast<std::uint16_t>(plane.right); }  // where not smooth
 };
 static_assert(sizeof(FaceLook) == 16);
 
@@ -65,6 +68,7 @@ class SmoothCache {
         format_(format) {}
 
   bool on() const { return looks_.capacity() != 0; }
+  const FaceLook* looks() const { return &looks_[0]; }  // by the words of faces
 
   // At the beginning of a frame.
   void clear();

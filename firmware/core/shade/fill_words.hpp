@@ -78,24 +78,24 @@ inline void fill_span(std::uint8_t* line, std::int32_t left, std::int32_t right,
   } while (reinterpret_cast<HalfPixels*>(word) < end);
 }
 
-// Fills the RGB565 pixels [left, right) with a triangle's brightness in a material's colours, two at a time.
-inline void smooth_span(std::uint8_t* line, std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
+// Fills the RGB565 pixels [left, right) of a line that begins on a word with a triangle's brightness in a material's
+// colours, two at a time, and up to kOvershoot more.
+inline void smooth_span(std::uint8_t* line, std::int32_t left, std::int32_t right, const BrightnessPlane& plane,
                         std::uint32_t y, const std::uint16_t* colors) {
-  std::uint32_t bright = plane.at(left, y);
+  std::uint32_t bright = plane.at(static_cast<std::uint32_t>(left), y);
   const std::uint32_t step = plane.right;
-  const auto next = [&] {
-    const std::uint32_t color = colors[BrightnessPlane::entry(bright)];
-    bright += step;
-    return color;
-  };
   auto* at = reinterpret_cast<HalfPixels*>(line) + left;
   auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
-  if ((left & 1u) != 0) *at++ = static_cast<std::uint16_t>(next());
-  for (; end - at >= 2; at += 2) {
-    const std::uint32_t first = next();
-    *reinterpret_cast<WordPixels*>(at) = next() << 16 | first;
+  if ((left & 1) != 0) {
+    *at++ = colors[BrightnessPlane::entry(bright)];
+    bright += step;
   }
-  if (at < end) *at = static_cast<std::uint16_t>(next());
+  for (; at < end; at += 2) {
+    const std::uint32_t first = colors[BrightnessPlane::entry(bright)];
+    bright += step;
+    *reinterpret_cast<WordPixels*>(at) = std::uint32_t{colors[BrightnessPlane::entry(bright)]} << 16 | first;
+    bright += step;
+  }
 }
 
 }  // namespace spanline

@@ -9,13 +9,14 @@ namespace spanline {
 inline WalkStop flat_walk_plain(LineWalk& walk) {
   const auto paint = [pixels = walk.pixels, words = walk.words](std::int32_t left, std::int32_t right, FaceId face) {
     fill_span(pixels, left, right, words[face]);
+    return true;
   };
   return walk_on(walk, paint);
 }
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
 // The same in assembly.
-WalkStop flat_walk(LineWalk& walk);
+WalkStop flat_walk(LineWalk& walk) asm("spanline_flat_walk");
 #else
 inline WalkStop flat_walk(LineWalk& walk) { return flat_walk_plain(walk); }
 #endif

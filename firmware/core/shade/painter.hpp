@@ -15,10 +15,10 @@ namespace spanline {
 class Painter {
  public:
   Painter() = default;
-  explicit Painter(const Screen& screen) : screen_(screen) {}
+  explicit Painter(const Screen& screen) : screen_(screen), line_bytes_(bytes_per_line(screen.format, screen.width)) {}
 
   // Bytes that begin_line() needs.
-  std::uint32_t line_bytes() const { return bytes_per_line(screen_.format, screen_.width); }
+  std::uint32_t line_bytes() const { return line_bytes_; }
 
   // What lies behind the lines to come; to be kept until the last of them.
   void begin_lines(const BackgroundRecord& background);
@@ -55,6 +55,7 @@ class Painter {
   void cover_grey(std::uint32_t x, std::uint32_t grey, std::uint32_t part);
 
   Screen screen_;
+  std::uint32_t line_bytes_ = 0;
   const BackgroundRecord* gradient_ = nullptr;  // the background, where it changes from line to line
   std::uint8_t* out_ = nullptr;
   std::uint16_t line_ = 0;

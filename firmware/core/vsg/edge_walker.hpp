@@ -45,16 +45,20 @@ class EdgeWalker {
   bool file(std::uint32_t vertex) { return buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
 
   // Whether nothing of `line` is covered.
-  bool is_blank(std::int32_t line) const { return alive_ == 0 && buckets_.is_empty(line); }
+  bool is_blank(std::int32_t line) const { return alive_ == 0 && is_quiet(line); }
+  // Whether no edge begins on `line`, which is then to be said instead of start_edges().
+  bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
+  void start_none() { edges_[0][alive_].x = edges_[0][alive_ + 1].x = ActiveEdge::kNever; }
   // Starts the edges that begin on `line`; to be called for every line from top on. drawn(FaceId) says whether a face
   // is drawn: those that are run counter-clockwise on the screen. False where there is no room for an edge.
   template <typename Drawn>
   bool start_edges(std::int32_t line, const Drawn& drawn);
 
-  // The visible spans of the line. Sink::run(LineWalk&) is walk_on() with a paint of its own; sink.last(left, right,
-  // FaceId) takes the spans at the line's right end; sink.front(left, right, FaceId, ramp) those where others are
-  // behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel than the
-  // overlap set holds: from there on spans of several faces are left out.
+  // The visible spans of the line. sink.begin(LineWalk&) sets what the painter has in it. sink.run(LineWalk&) is
+  // walk_on() with a paint of its own; sink.learn(FaceId) is said where it stops at a look; sink.one(left, right,
+  // FaceId) takes the span if that is false, and those at the line's right end; sink.front(left, right, FaceId, ramp)
+  // those where others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces
+  // cover a pixel than the overlap set holds: from there on spans of several faces are left out.
   template <typename Sink, typename Plane>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane);
 
@@ -171,8 +175,7 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
   walk.left = 0;
   walk.key = 0;
   walk.furthest = INT32_MIN;
-  walk.pixels = sink.out;
-  walk.words = sink.words;
+  sink.begin(walk);
   const auto begin_again = [&] {
     if (run_again(*walk.out, line + 1)) walk.put_out();
   };
@@ -181,11 +184,16 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
     if (stop == WalkStop::side) break;
     if (stop == WalkStop::tall) {
       begin_again();
-    } else {
-      const std::int32_t column = walk.next()->column();
-      show_front(line, column, walk, sink, plane);
-      walk.left = column;
+      continue;
     }
+    if (stop == WalkStop::look && sink.learn(only_face(walk.key))) continue;
+    const std::int32_t column = walk.next()->column();
+    if (stop == WalkStop::look) {
+      sink.one(walk.left, column, only_face(walk.key));
+    } else {
+      show_front(line, column, walk, sink, plane);
+    }
+    walk.left = column;
   }
 
   // At the right end spans are cut off.
@@ -197,7 +205,7 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
     if (column > screen_.width) column = screen_.width;
     if (column > walk.left) {
       if (walk.key < kTwoFaces) {
-        sink.last(walk.left, column, only_face(walk.key));
+        sink.one(walk.left, column, only_face(walk.key));
       } else {
         show_front(line, column, walk, sink, plane);
       }

@@ -6,7 +6,7 @@
 namespace spanline {
 
 // Spans come from left to right, so a painter may write this many pixels too far, but not past the line's end.
-inline constexpr std::int32_t kOvershoot = 4;
+inline constexpr std::int32_t kOvershoot = 8;
 
 // Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
 void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
@@ -24,6 +24,7 @@ struct LineWalk {
   const ActiveEdge* fresh;     // the next of those that begin on this line
   std::int32_t side;           // up to this x a span that ends there may overshoot
   ActiveEdge* begin;           // the first of the next line's
+  const void* painter;         // what else is painted with
 
   // What lies beyond `side` is at the right end.
   static constexpr std::int32_t side_of(std::int32_t width) {
@@ -46,9 +47,11 @@ enum class WalkStop : std::uint32_t {
   side,   // the next edge lies at the right end, or there is none
   front,  // before the next edge lies a span of several faces
   tall,   // *out is an edge that has been taken and ended, or has to begin again
+  look,   // before the next edge lies a span of one face that the painter does not know
 };
 
-// Walks on until it has to stop. paint(left, right, FaceId) takes spans of one face or none (0).
+// Walks on until it has to stop. paint(left, right, FaceId) takes spans of one face or none (0); false where it has to
+// stop before this one.
 template <typename Paint>
 WalkStop walk_on(LineWalk& walk, const Paint& paint) {
   // Known to nobody else, so that pixels cannot overwrite them.
@@ -72,7 +75,9 @@ WalkStop walk_on(LineWalk& walk, const Paint& paint) {
       stop = WalkStop::front;
       if (key >= kTwoFaces) [[unlikely]]
         break;
-      paint(left, column, only_face(key));
+      stop = WalkStop::look;
+      if (!paint(left, column, only_face(key))) [[unlikely]]
+        break;
       left = column;
     }
     const CoverKey toggle = next->toggle;

@@ -1,8 +1,8 @@
-// A line's walk, which some cores have in assembly, against one that paints pixel by pixel.
-#include "core/shade/flat_walk.hpp"
-
+// The walks of a line, which some cores have in assembly, against one that paints pixel by pixel.
 #include <gtest/gtest.h>
 
+#include "core/shade/flat_walk.hpp"
+#include "core/shade/smooth_walk.hpp"
 #include "oracle/random.hpp"
 
 namespace spanline::test {
@@ -16,6 +16,7 @@ struct Line {
   ActiveEdge edges[kMostEdges + 2];  // those alive and a sentinel, those that begin and a sentinel
   ActiveEdge next[kMostEdges + 1];
   std::uint16_t words[kFaces + 1];
+  FaceLook looks[kFaces + 1];
   alignas(4) std::uint16_t pixels[kWidest];
 };
 
@@ -39,15 +40,25 @@ void make_edges(Random& random, int width, ActiveEdge* edges, int count) {
   edges[count].x = ActiveEdge::kNever;
 }
 
+constexpr std::uint16_t kKnown = 7;  // the material
+std::uint16_t colors[ColorTable::kEntries];
+
 // Pixel by pixel, edge by edge.
-WalkStop walk_slowly(LineWalk& walk) {
+WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smooth) {
   for (;;) {
     const bool of_fresh = walk.fresh->x < walk.edge->x;
     const ActiveEdge edge = of_fresh ? *walk.fresh : *walk.edge;
     if (edge.x > walk.side) return WalkStop::side;
     for (; walk.left < edge.column(); ++walk.left) {
       if (walk.key >= kTwoFaces) return WalkStop::front;
-      reinterpret_cast<std::uint16_t*>(walk.pixels)[walk.left] = walk.words[only_face(walk.key)];
+      const FaceId face = only_face(walk.key);
+      std::uint16_t color = line.words[face];
+      if (smooth && face != 0) {
+        const FaceLook& look = line.looks[line.words[face]];
+        if (look.face != face || look.material != kKnown) return WalkStop::look;
+        color = colors[look.plane.at(static_cast<std::uint32_t>(walk.left), y) >> 26];
+      }
+      reinterpret_cast<std::uint16_t*>(walk.pixels)[walk.left] = color;
     }
     ++(of_fresh ? walk.fresh : walk.edge);
     walk.limit = std::min(walk.fresh->x, walk.side);
@@ -99,8 +110,20 @@ void expect_same(const Line& a, const LineWalk& at_a, const Line& b, const LineW
 
 Line fast, slow;
 
-TEST(FlatWalk, PaintsAndStepsAsPixelByPixel) {
-  int stops[3] = {0, 0, 0};
+// Looks of which some are another face's, and some of another material.
+void make_looks(Random& random, Line& line) {
+  for (std::uint16_t& color : colors) color = static_cast<std::uint16_t>(random.below(0x10000));
+  for (FaceId face = 1; face <= kFaces; ++face) {
+    line.words[face] = face;
+    const auto part = [&] { return static_cast<std::uint32_t>(random.next()); };
+    line.looks[face] = {{part(), part() >> 6, part() >> 6}, face, kKnown};
+    if (random.percent(5)) line.looks[face].face = 1;
+    if (random.percent(5)) line.looks[face].material = 3;
+  }
+}
+
+void compare(bool smooth) {
+  int stops[4] = {0, 0, 0, 0};
   for (std::uint64_t seed = 0; seed < oracle::rounds(50000u); ++seed) {
     Random random(seed);
     const int width = random.between(1, kWidest - 8);
@@ -109,23 +132,33 @@ TEST(FlatWalk, PaintsAndStepsAsPixelByPixel) {
     make_edges(random, width, fast.edges + alive + 1, begun);
     for (std::uint16_t& word : fast.words) word = static_cast<std::uint16_t>(random.below(0x10000));
     for (std::uint16_t& pixel : fast.pixels) pixel = 0xabcd;
+    if (smooth) make_looks(random, fast);
     slow = fast;
+    const auto y = static_cast<std::uint16_t>(random.below(240));
+    SmoothBrush brush(fast.looks);
+    brush.begin_line(y);
+    brush.dip(kKnown, colors);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
+    at_fast.painter = &brush;
     for (;;) {
-      const WalkStop stop = flat_walk(at_fast);
-      ASSERT_TRUE(stop == walk_slowly(at_slow)) << "seed " << seed;
+      const WalkStop stop = smooth ? smooth_walk(at_fast) : flat_walk(at_fast);
+      ASSERT_TRUE(stop == walk_slowly(at_slow, slow, y, smooth)) << "seed " << seed;
       ++stops[static_cast<unsigned>(stop)];
       expect_same(fast, at_fast, slow, at_slow, width);
-      if (HasFatalFailure()) FAIL() << "seed " << seed;
+      if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed;
       if (stop == WalkStop::side) break;
-      if (stop != WalkStop::front) continue;
+      if (stop == WalkStop::tall) continue;
       for (const std::int32_t end = at_fast.next()->column(); at_fast.left < end; ++at_fast.left, ++at_slow.left) {
         fast.pixels[at_fast.left] = slow.pixels[at_fast.left] = 0x1234;
       }
     }
   }
-  for (const int count : stops) EXPECT_GT(count, 100);
+  for (int i = 0; i < (smooth ? 4 : 3); ++i) EXPECT_GT(stops[i], 50) << i;
 }
+
+TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(false); }
+
+TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(true); }
 
 }  // namespace
 }  // namespace spanline::test

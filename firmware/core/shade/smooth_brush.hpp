@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/shade/brightness.hpp"
+
+namespace spanline {
+
+// What the smooth spans of a line are painted with, as long as one material lasts. Assembly knows where each member
+// stands.
+class SmoothBrush {
+ public:
+  SmoothBrush() = default;
+  explicit SmoothBrush(const FaceLook* looks) : looks_(looks) {}
+
+  void begin_line(std::uint16_t line) { line_ = line; }
+  // `colors` are those that were looked up last: no other material's take their place.
+  void dip(std::uint16_t material, const std::uint16_t* colors) {
+    material_ = std::uint32_t{material} << 16;
+    colors_ = colors;
+  }
+
+  const FaceLook& look(std::uint16_t word) const { return looks_[word]; }
+  // Whether it is this face's, and of the brush's material.
+  bool knows(FaceId face, const FaceLook& look) const {
+    return (look.face | std::uint32_t{look.material} << 16) == (face | material_);
+  }
+  std::uint32_t line() const { return line_; }
+  const std::uint16_t* colors() const { return colors_; }
+
+ private:
+  static constexpr std::uint32_t kDry = std::uint32_t{FaceLook::kNoMaterial - 1u} << 16;
+
+  const FaceLook* looks_ = nullptr;
+  std::uint32_t material_ = kDry;  // in the upper half
+  std::uint32_t line_ = 0;
+  const std::uint16_t* colors_ = nullptr;
+};
+
+}  // namespace spanline

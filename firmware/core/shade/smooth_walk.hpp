@@ -1,0 +1,33 @@
+// The walk of a line of RGB565 whose faces may be smooth: walk_on() with fill_span() and smooth_span().
+#pragma once
+
+#include "core/shade/fill_words.hpp"
+#include "core/shade/smooth_brush.hpp"
+
+namespace spanline {
+
+// A face's word is the number of its look; LineWalk::painter is a SmoothBrush. For any core.
+inline WalkStop smooth_walk_plain(LineWalk& walk) {
+  const auto paint = [pixels = walk.pixels, words = walk.words, brush = *static_cast<const SmoothBrush*>(walk.painter)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
+    if (face == 0) {
+      fill_span(pixels, left, right, words[0]);
+      return true;
+    }
+    const FaceLook& look = brush.look(words[face]);
+    if (!brush.knows(face, look)) [[unlikely]]
+      return false;
+    smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
+    return true;
+  };
+  return walk_on(walk, paint);
+}
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+// The same in assembly.
+WalkStop smooth_walk(LineWalk& walk) asm("spanline_smooth_walk");
+#else
+inline WalkStop smooth_walk(LineWalk& walk) { return smooth_walk_plain(walk); }
+#endif
+
+}  // namespace spanline

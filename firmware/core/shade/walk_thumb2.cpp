@@ -1,0 +1,240 @@
+// The walks of lines of RGB565 in assembly, for cores with Thumb-2: walk_on() of core/vsg/line_walk.hpp, with spans of
+// one colour, and with smooth ones.
+#include <cstddef>
+
+#include "core/shade/flat_walk.hpp"
+#include "core/shade/smooth_walk.hpp"
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+
+namespace spanline {
+
+static_assert(offsetof(LineWalk, edge) == 0 && offsetof(LineWalk, words) == 28, "loaded by one instruction");
+static_assert(offsetof(LineWalk, furthest) == 20, "stored by one instruction");
+static_assert(offsetof(LineWalk, pixels) == 24 && offsetof(LineWalk, fresh) == 32 && offsetof(LineWalk, side) == 36);
+static_assert(offsetof(LineWalk, begin) == 40 && offsetof(LineWalk, painter) == 44);
+static_assert(kTwoFaces == 1u << 21 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kTall == 1u << 16);
+static_assert(ActiveEdge::kFraction == 20 && sizeof(ActiveEdge) == 16);
+static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop::front) == 1 &&
+              static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
+static_assert(sizeof(FaceLook) == 16 && offsetof(FaceLook, plane) == 0 && offsetof(FaceLook, face) == 12);
+static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
+static_assert(sizeof(SmoothBrush) == 16, "looks, material, line, colours");
+
+asm(R"(
+    .syntax unified
+    .thumb
+
+@ Throughout: r1 edge, r2 out, r7 limit, r8 left, r9 key, r10 furthest, r11 pixels, r12 words; [sp] the walk.
+@ The edge at hand: r3 x, r4 dx, r5 toggle, r6 rest.
+
+@ Fills the span up to the column of x = r3 with the word of the face lr, up to eight pixels too far. Takes r0, r3 to r6
+@ and lr; left comes to the column.
+    .macro fill_span
+    ldrh r4, [r12, lr, lsl #1]
+    add r0, r11, r8, lsl #1
+    tst r8, #1
+    it ne
+    strhne r4, [r0], #2             @ from here on whole words
+    asr r8, r3, #20
+    orr r4, r4, r4, lsl #16
+    add r3, r11, r8, lsl #1
+    strd r4, r4, [r0], #8
+    cmp r0, r3
+    bhs 9f
+    .rept 3
+    strd r4, r4, [r0], #8
+    strd r4, r4, [r0], #8
+    cmp r0, r3
+    bhs 9f
+    .endr
+    bl 50f
+9:
+    .endm
+
+@ The span of face r9.
+    .macro flat_span unknown
+    uxth lr, r9
+    fill_span
+    .endm
+
+@ The same with the face's brightness, one pixel too far; to `unknown` where the brush does not know it.
+    .macro smooth_span unknown
+    uxth lr, r9
+    cbz_high lr, 8f
+    ldr r0, [sp]
+    ldr r0, [r0, #44]
+    ldrh r4, [r12, lr, lsl #1]
+    ldm r0, {r0, r5, r6}            @ looks, material, line
+    add r4, r0, r4, lsl #4
+    orr r5, lr
+    ldr lr, [r4, #12]
+    cmp r5, lr
+    bne \unknown
+    ldm r4, {r0, r4, r5}            @ at_zero, right, down
+    mla r0, r6, r5, r0
+    ldr r6, [sp]
+    ldr r6, [r6, #44]
+    mla r5, r8, r4, r0
+    ldr r6, [r6, #12]               @ colours
+    add r0, r11, r8, lsl #1
+    asr r8, r3, #20
+    add r3, r11, r8, lsl #1
+7:  .rept 2
+    lsr lr, r5, #26
+    ldrh lr, [r6, lr, lsl #1]
+    add r5, r4
+    strh lr, [r0], #2
+    .endr
+    cmp r0, r3
+    blo 7b
+    b 9f
+8:  fill_span
+    .endm
+    .macro cbz_high register, label
+    cmp \register, #0
+    beq \label
+    .endm
+
+@ Words of r4 from r0 on up to r3, more than 16 pixels from where the span began.
+    .macro long_fill
+50: sub r5, r3, r0
+    cmp r5, #96
+    bhi 51f
+    .rept 6
+    strd r4, r4, [r0], #8
+    strd r4, r4, [r0], #8
+    cmp r0, r3
+    it hs
+    bxhs lr
+    .endr
+51: push {r1, r2, r7, r9, r10, lr}
+    adds r3, #2                     @ to the end of a word
+    bic r3, r3, #3
+    mov r1, r4
+    mov r2, r4
+    mov r5, r4
+    mov r6, r4
+    mov r7, r4
+    mov r9, r4
+    mov r10, r4
+    subs r3, #128
+    b 53f
+52: .rept 4
+    stm r0!, {r1, r2, r4-r7, r9, r10}
+    .endr
+53: cmp r0, r3
+    bls 52b
+    adds r3, #96
+    b 55f
+54: stm r0!, {r1, r2, r4-r7, r9, r10}
+55: cmp r0, r3
+    bls 54b
+    stm r3, {r1, r2, r4-r7, r9, r10}  @ over what is there already
+    pop {r1, r2, r7, r9, r10, pc}
+    .endm
+
+    .macro walk name, span
+    .section .text.\name, "ax", %progbits
+    .p2align 2
+    .global \name
+    .type \name, %function
+    .thumb_func
+\name:
+    push {r0, r4-r11, lr}
+    ldm r0, {r1, r2, r7-r12}
+1:  ldm r1!, {r3-r6}
+    cmp r3, r7
+    bgt 20f
+2:  cmp r8, r3, asr #20
+    bge 3f
+    cmp r9, #0x200000
+    bhs 30f
+    \span 33f
+    ldmdb r1, {r3-r6}
+3:  add r9, r5
+    subs r6, #0x20000
+    blo 10f
+    add r3, r4
+    cmp r3, r10
+    blt 40f
+    mov r10, r3
+    stm r2!, {r3-r6}
+    ldm r1!, {r3-r6}
+    cmp r3, r7
+    ble 2b
+
+@ The next edge is one that begins, or lies beyond the side.
+20: ldr r0, [sp]
+    sub r1, #16
+    ldr lr, [r0, #36]
+    cmp r7, lr
+    beq 32f
+    mov r3, r7
+    cmp r8, r3, asr #20
+    bge 21f
+    cmp r9, #0x200000
+    bhs 31f
+    \span 34f
+    ldr r0, [sp]
+    ldr lr, [r0, #36]
+21: ldr r4, [r0, #32]
+    adds r4, #16
+    str r4, [r0, #32]
+    ldr r7, [r4]
+    cmp r7, lr
+    it gt
+    movgt r7, lr
+    ldmdb r4, {r3-r6}
+    b 3b
+
+@ The edge ends, or begins again.
+10: tst r6, #0x10000
+    beq 1b
+    add r6, #0x20000
+    stm r2, {r3-r6}
+    movs r0, #2
+    b 39f
+
+30: subs r1, #16
+31: movs r0, #1
+    b 39f
+32: movs r0, #0
+    b 39f
+33: subs r1, #16
+34: movs r0, #3
+39: pop {r3}
+    stm r3, {r1, r2, r7-r10}
+    pop {r4-r11, pc}
+
+@ Back to its place, as insert_back().
+40: ldr lr, [sp]
+    mov r0, r2
+    ldr lr, [lr, #40]
+    push {r7-r9}
+41: ldmdb r0, {r7-r9, r11}
+    stm r0, {r7-r9, r11}
+    subs r0, #16
+    cmp r0, lr
+    beq 42f
+    ldr r7, [r0, #-16]
+    cmp r7, r3
+    bgt 41b
+42: stm r0, {r3-r6}
+    pop {r7-r9}
+    ldr r0, [sp]
+    adds r2, #16
+    ldr r11, [r0, #24]
+    b 1b
+    long_fill
+    .size \name, . - \name
+    .endm
+
+    walk spanline_flat_walk, flat_span
+    walk spanline_smooth_walk, smooth_span
+    .text
+)");
+
+}  // namespace spanline
+
+#endif
