@@ -39,7 +39,7 @@ struct ActiveEdge {
 
   std::int32_t column() const { return x >> kFraction; }
   FaceId ending() const { return static_cast<FaceId>(rest); }
-  FaceId beginning() const { return only_face(toggle + cover_of(ending())); }
+  FaceId beginning() const { return only_face(toggle + rest); }  // toggle's low half: what begins less what ends
 };
 static_assert(sizeof(ActiveEdge) == 16);
 

@@ -157,10 +157,11 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
   };
-  resolve_overlap(overlap_, left, right, ramp_of,
-                  [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
-                    sink.front(begin, end, face, ramp);
-                  });
+  const auto show = [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
+    sink.front(begin, end, face, ramp);
+  };
+  if (overlap_.count() == 2 && resolve_pair(overlap_[0], overlap_[1], left, right, ramp_of, show)) return;
+  resolve_overlap(overlap_, left, right, ramp_of, show);
 }
 
 template <typename Sink, typename Plane>

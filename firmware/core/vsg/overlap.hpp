@@ -15,22 +15,19 @@ class OverlapSet {
     faces_[0] = only;
     count_ = only != 0;
   }
-  void toggle(FaceId face) {
-    if (face == 0) return;
-    for (unsigned i = 0; i < count_; ++i) {
-      if (faces_[i] != face) continue;
-      faces_[i] = faces_[--count_];
-      return;
-    }
-    if (count_ < kMost) {
-      faces_[count_++] = face;
-    } else {
-      overflow_ = true;
-    }
-  }
+  // Edges of one column may come in any order: a face may end before it has begun.
   void toggle(const ActiveEdge& edge) {
-    toggle(edge.ending());
-    toggle(edge.beginning());
+    const FaceId ends = edge.ending(), begins = edge.beginning();
+    const unsigned at = find(ends);
+    if (ends == 0 || at == count_) {
+      toggle(ends);
+    } else if (begins != 0 && find(begins) == count_) {
+      faces_[at] = begins;
+      return;
+    } else {
+      faces_[at] = faces_[--count_];
+    }
+    toggle(begins);
   }
 
   unsigned count() const { return count_; }
@@ -39,6 +36,23 @@ class OverlapSet {
   bool overflow() const { return overflow_; }  // more faces than the set holds
 
  private:
+  unsigned find(FaceId face) const {
+    unsigned at = 0;
+    while (at < count_ && faces_[at] != face) ++at;
+    return at;
+  }
+  [[gnu::noinline]] void toggle(FaceId face) {
+    if (face == 0) return;
+    const unsigned at = find(face);
+    if (at < count_) {
+      faces_[at] = faces_[--count_];
+    } else if (count_ < kMost) {
+      faces_[count_++] = face;
+    } else {
+      overflow_ = true;
+    }
+  }
+
   FaceId faces_[kMost];
   unsigned count_ = 0;
   bool overflow_ = false;
@@ -47,36 +61,58 @@ class OverlapSet {
 // Hands the visible faces over the columns [left, right), which every face of the set covers, to show(left, right,
 // face, ramp) from left to right. ramp_of(face) is a face's depth along the line.
 template <typename RampOf, typename Show>
-void resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t right, const RampOf& ramp_of,
-                     const Show& show) {
+[[gnu::noinline]] void resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t right,
+                                       const RampOf& ramp_of, const Show& show) {
   struct Ramp {  // as DepthRamp, but not cleared first
     std::uint32_t at_zero, slope;
+    std::uint32_t at(std::int32_t column) const { return at_zero + slope * static_cast<std::uint32_t>(column); }
+    DepthRamp ramp() const { return {at_zero, slope}; }
   } ramps[OverlapSet::kMost];
-  for (unsigned i = 0; i < set.count(); ++i) {
+  const unsigned count = set.count();
+  for (unsigned i = 0; i < count; ++i) {
     const DepthRamp ramp = ramp_of(set[i]);
     ramps[i] = {ramp.at_zero, ramp.slope};
   }
-  const auto ramp = [&](unsigned i) { return DepthRamp{ramps[i].at_zero, ramps[i].slope}; };
-  const auto contest = [&](unsigned a, unsigned b, std::int32_t from, std::int32_t to) {
-    return Contest{ramp(a), ramp(b), from, to, set[a] < set[b]};
+  // Whether face i is in front of face j where they have these depths, as Contest::first_ahead().
+  const auto ahead = [&](unsigned i, std::uint32_t depth_i, unsigned j, std::uint32_t depth_j) {
+    const auto lead = static_cast<std::int32_t>(depth_i - depth_j);
+    return lead > 0 || (lead == 0 && set[i] < set[j]);
   };
-  while (left < right) {
+  do {
     unsigned front = 0;
-    for (unsigned i = 1; i < set.count(); ++i) {
-      const Contest c = contest(front, i, left, right);
-      if (!c.first_ahead(c.lead(left))) front = i;
+    std::uint32_t nearest = ramps[0].at(left);
+    for (unsigned i = 1; i < count; ++i) {
+      const std::uint32_t depth = ramps[i].at(left);
+      if (!ahead(i, depth, front, nearest)) continue;
+      front = i;
+      nearest = depth;
     }
     // Depth is linear: who is ahead at both ends is ahead between them.
     std::int32_t end = right;
-    for (unsigned i = 0; i < set.count(); ++i) {
-      if (i == front) continue;
-      const Contest c = contest(front, i, left, end);
+    std::uint32_t at_end = ramps[front].at(end - 1);
+    for (unsigned i = 0; i < count; ++i) {
+      if (i == front || !ahead(i, ramps[i].at(end - 1), front, at_end)) continue;
       std::uint32_t cycles = 0;
-      if (!c.first_ahead(c.lead(end - 1))) end = DepthComparator<Comparator::plane>::crossing(c, cycles);
+      const Contest contest{ramps[front].ramp(), ramps[i].ramp(), left, end, set[front] < set[i]};
+      end = DepthComparator<Comparator::plane>::crossing(contest, cycles);
+      at_end = ramps[front].at(end - 1);
     }
-    show(left, end, set[front], ramp(front));
+    show(left, end, set[front], ramps[front].ramp());
     left = end;
-  }
+  } while (left < right);
+}
+
+// The same for two faces of which one is in front everywhere; false, and nothing is shown, where they cross.
+template <typename RampOf, typename Show>
+inline bool resolve_pair(FaceId a, FaceId b, std::int32_t left, std::int32_t right, const RampOf& ramp_of,
+                         const Show& show) {
+  const DepthRamp ramp_a = ramp_of(a), ramp_b = ramp_of(b);
+  const DepthRamp lead{ramp_a.at_zero - ramp_b.at_zero, ramp_a.slope - ramp_b.slope};
+  const auto first = [&](std::int32_t column) { return static_cast<std::int32_t>(lead.at(column)) >= (a < b ? 0 : 1); };
+  const bool a_ahead = first(left);
+  if (first(right - 1) != a_ahead) return false;
+  show(left, right, a_ahead ? a : b, a_ahead ? ramp_a : ramp_b);
+  return true;
 }
 
 }  // namespace spanline

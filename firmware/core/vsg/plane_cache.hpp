@@ -29,11 +29,17 @@ class PlaneCache {
   template <typename Make>
   const DepthPlane& of(FaceId face, const Make& make) {
     CachedPlane& entry = planes_[face & mask_];
-    if (entry.face != face) entry = {make(face), face};
+    if (entry.face != face) [[unlikely]]
+      keep(entry, face, make);
     return entry.plane;
   }
 
  private:
+  template <typename Make>
+  [[gnu::noinline]] static void keep(CachedPlane& entry, FaceId face, const Make& make) {
+    entry = {make(face), face};
+  }
+
   PoolRef<CachedPlane> planes_;
   std::uint32_t mask_ = 0;
 };
