@@ -102,7 +102,7 @@ class Baker {
     const LitFace& lit = lit_.faces[lit_.first[index] + face];
     const Shading shading = material_of(scene_, instance, mesh.faces[face]).shading;
     if (!lit.plane || shading == Shading::kUnlit) return baked.keep(face, name);
-    ShadowParts parts(lit.own, *lit.plane, clipper_);
+    ShadowParts parts(lit.own, clipper_);
     for (std::size_t l = 0; l < directions_.size(); ++l) {
       const double slope = slope_to(*lit.plane, place, directions_[l]);
       if (instance.cull && slope <= 0 && shading != Shading::kGouraud) continue;

@@ -9,11 +9,10 @@ constexpr std::uint8_t kAll = 255;
 
 }  // namespace
 
-ShadowParts::ShadowParts(Region face, const FacePlane& plane, RegionClipper& clipper)
-    : face_(std::move(face)), plane_(plane), clipper_(clipper) {
+ShadowParts::ShadowParts(Region face, RegionClipper& clipper) : face_(std::move(face)), clipper_(clipper) {
   Reach whole;
   whole.fill({kAll, kAll, kAll});
-  parts_[whole] = clipper_.unite(face_, plane.margin_along(face_, face_, FacePlane::kMargin, clipper_));
+  parts_[whole] = clipper_.unite(face_, FacePlane::margin_along(face_, face_, FacePlane::kMargin, clipper_));
 }
 
 Region ShadowParts::joined(const Region& a, const Region& b) { return a.empty() ? b : clipper_.unite(a, b); }
@@ -29,7 +28,7 @@ ShadowParts::Shared ShadowParts::share(const std::vector<LitPart>& lit, std::int
   Region dark = face_;
   for (const auto& [part, region] : regions) {
     dark = clipper_.split(dark, region).outside;
-    dark = clipper_.split(dark, plane_.margin_along(region, face_, grain, clipper_)).outside;
+    dark = clipper_.split(dark, FacePlane::margin_along(region, face_, grain, clipper_)).outside;
   }
   dark = clipper_.without_slivers(dark, grain);
   Shared shared(regions.begin(), regions.end());
@@ -38,8 +37,8 @@ ShadowParts::Shared ShadowParts::share(const std::vector<LitPart>& lit, std::int
   if (!dark.empty() || shared.empty()) shared.insert(shared.begin(), {Part{}, std::move(dark)});
   for (std::size_t i = 0; i + 1 < shared.size(); ++i) {
     Region& region = shared[i].second;
-    region =
-        joined(region, clipper_.split(plane_.margin_along(region, face_, FacePlane::kMargin, clipper_), face_).outside);
+    region = joined(
+        region, clipper_.split(FacePlane::margin_along(region, face_, FacePlane::kMargin, clipper_), face_).outside);
   }
   return shared;
 }
@@ -80,6 +79,7 @@ std::vector<ShadowPart> ShadowParts::finish() {
   }
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<ShadowPart> parts;
+  parts.reserve(seen.size());
   for (auto& [size, part] : seen) parts.push_back(std::move(part));
   return parts;
 }

@@ -18,7 +18,7 @@ struct ShadowPart {
 class ShadowParts {
  public:
   // `face` is the region of the face on the plane's grid.
-  ShadowParts(Region face, const FacePlane& plane, RegionClipper& clipper);
+  ShadowParts(Region face, RegionClipper& clipper);
 
   // What a light sees of the face; for each light once. `grain`: units of the plane's grid that a point may be off.
   void add_light(std::size_t light, const std::vector<LitPart>& lit, std::int32_t grain);
@@ -36,7 +36,6 @@ class ShadowParts {
   void divide(std::size_t light, const Shared& shared);
 
   Region face_;
-  const FacePlane& plane_;
   RegionClipper& clipper_;
   std::map<Reach, Region> parts_;  // of the face and its margin
   std::int32_t grain_ = 1;         // of all lights the coarsest

@@ -98,16 +98,16 @@ void FacetList::make_units(const std::vector<std::int32_t>& solid_of_face) {
   const auto solid_of = [&](const Facet& facet) {
     return facet.face < solid_of_face.size() ? solid_of_face[facet.face] : kNoSolid;
   };
-  for (std::uint16_t i = 0; i < hosts_; ++i) {
+  for (std::uint32_t i = 0; i < hosts_; ++i) {
     const Facet& facet = facets_[i];
     if (!facet.details.empty() || facet.transmission != Rgb8{} || facet.two_sided) apart.insert(solid_of(facet));
   }
-  for (std::uint16_t i = 0; i < hosts_; ++i) {
+  for (std::uint32_t i = 0; i < hosts_; ++i) {
     const std::int32_t solid = solid_of(facets_[i]);
     const bool alone = solid == kNoSolid || apart.contains(solid);
     const std::size_t unit = alone ? units_.size() : unit_of.try_emplace(solid, units_.size()).first->second;
     if (unit == units_.size()) units_.emplace_back();
-    units_[unit].facets.push_back(i);
+    units_[unit].facets.push_back(static_cast<std::uint16_t>(i));
     units_[unit].bounds.widen(facets_[i].bounds.low);
     units_[unit].bounds.widen(facets_[i].bounds.high);
   }

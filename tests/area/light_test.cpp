@@ -170,7 +170,8 @@ TEST(LightView, ACarrierTakesCornersToTheirOwnPlacesExactly) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(carrier(seen[i]), own[i]);
   EXPECT_FALSE(carrier.flat());
   Carrier along;
-  for (const std::int16_t x : {0, 0, 5, 9}) along.corner({x, x}, {x, 0});
+  for (const std::int16_t x : {std::int16_t{0}, std::int16_t{0}, std::int16_t{5}, std::int16_t{9}})
+    along.corner({x, x}, {x, 0});
   EXPECT_TRUE(along.flat());
 }
 

@@ -139,7 +139,7 @@ TEST(AreaSort, SurfaceDetailIsSeenWhereItsPolygonIs) {
   const VisiblePieces pieces = read(sort);
   EXPECT_EQ(flaw(pieces), "");
   EXPECT_EQ(sort.counts().pierced, 1u);
-  EXPECT_EQ(sort.counts().clips, 4u) << "detail costs no clip of the sort";
+  EXPECT_EQ(sort.counts().clips, 3u) << "detail costs no clip of the sort";
   // The blade is in front right of x = 15.
   EXPECT_EQ(area_of(pieces, 10), 5 * 20);
   EXPECT_EQ(area_of(pieces, 11), 0);

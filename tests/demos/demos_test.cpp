@@ -110,6 +110,43 @@ TEST(Demos, EveryPlotFitsItsPools) {
   check_every_plot<kSmall>();
 }
 
+TEST(Demos, APlotWithoutRoomSaysWhatItLacksAndHasNoLines) {
+  constexpr Demo kFramed = plot.framed_for(kSmall);
+  constexpr Budget kBudget = budget_for(kFramed, kSmall);
+  static MemoryFor<kBudget> memory;
+  Stage stage;
+  ASSERT_TRUE(stage.begin(kFramed, kSmall).ok());
+  struct Lack {
+    const char* pool;
+    void (*limit)(LineStorage& storage);
+  };
+  const Lack lacks[] = {{"facets", [](LineStorage& s) { s.bounds.limit(20); }},
+                        {"names", [](LineStorage& s) { s.names.limit(5); }},
+                        {"polygons", [](LineStorage& s) { s.sort.polygons.limit(2); }},
+                        {"pieces", [](LineStorage& s) { s.sort.pieces.limit(1); }},
+                        {"borders", [](LineStorage& s) { s.sort.borders.limit(20); }},
+                        {"segments", [](LineStorage& s) { s.sort.clipper.segments.limit(12); }},
+                        {"lines", [](LineStorage& s) { s.edges.limit(100); }},
+                        {"lines", [](LineStorage& s) { s.corners.limit(100); }}};
+  for (const Lack& lack : lacks) {
+    LineStorage storage = memory.storage();
+    lack.limit(storage);
+    LineFrame frame(storage);
+    ASSERT_FALSE(frame.prepare(stage.view(), stage.camera(), {0, kSmall.height}).empty());
+    EXPECT_EQ(frame.status().code, Code::pool_exhausted) << lack.pool;
+    EXPECT_STREQ(frame.status().where, lack.pool);
+    alignas(4) std::uint8_t line[kSmall.width / 2];
+    while (frame.next_line(line)) {
+      for (const std::uint8_t pixels : line) ASSERT_EQ(pixels, 0xff) << lack.pool << ": paper";
+    }
+  }
+  LineFrame frame(memory.storage());
+  CameraRecord nowhere = stage.camera();
+  nowhere.near_plane = nowhere.far_plane;
+  EXPECT_TRUE(frame.prepare(stage.view(), nowhere, {0, kSmall.height}).empty());
+  EXPECT_EQ(frame.status().code, Code::bad_argument);
+}
+
 std::vector<std::uint8_t> state(const Stage& stage) {
   const auto& instances = stage.view().scene().instances;
   std::vector<std::uint8_t> bytes(instances.size() * sizeof(InstanceRecord) + sizeof(CameraRecord));

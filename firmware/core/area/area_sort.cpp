@@ -64,6 +64,15 @@ bool AreaSort::push(std::uint16_t clip) {
   return true;
 }
 
+// What a few signs tell without the clipper; nearly always all that is to be known where both are convex.
+AreaSort::Place AreaSort::place_of(const Piece& piece, const NamedPolygon& clip) const {
+  if (!piece.bounds.overlaps(clip.bounds) || borders_.has_beside(clip.border, piece.border) ||
+      borders_.has_beside(piece.border, clip.border)) {
+    return Place::apart;
+  }
+  return borders_.holds(clip.border, piece.border) ? Place::within : Place::unknown;
+}
+
 // The x-y sort of one piece to the area of the clip polygon.
 bool AreaSort::divide(std::uint16_t index) {
   SortFrame& frame = pools_.frames[depth_];
@@ -71,10 +80,12 @@ bool AreaSort::divide(std::uint16_t index) {
   Piece& piece = pieces_[index];
   if (piece.name == frame.clip) return keep_inside(index);
   ++counts_.pairs;
-  if (!piece.bounds.overlaps(clip.bounds)) {
+  const Place place = place_of(piece, clip);
+  if (place == Place::apart) {
     append(frame.outside, index);
     return true;
   }
+  if (place == Place::within) return keep_inside(index);
   ++counts_.clips;
   clipper_.clear();
   borders_.each(piece.border, [&](const BorderEdge& edge) { clipper_.edge(Role::subject, edge.from, edge.to); });
@@ -204,8 +215,10 @@ bool AreaSort::show_detail(PieceList& rest, const NamedPolygon& host) {
 bool AreaSort::cut_detail(std::uint16_t index, std::uint16_t name, PieceList& rest) {
   const NamedPolygon& detail = pools_.polygons[name];
   const Piece piece = pieces_[index];
-  if (!piece.bounds.overlaps(detail.bounds)) {
-    append(rest, index);
+  const Place place = place_of(piece, detail);
+  if (place != Place::unknown) {
+    if (place == Place::within) pieces_[index].name = name;
+    append(place == Place::within ? visible_ : rest, index);
     return true;
   }
   ++counts_.details;

@@ -191,6 +191,8 @@ class AreaSort {
   bool run();
   std::uint16_t offender() const;
   bool push(std::uint16_t clip);
+  enum class Place : std::uint8_t { apart, within, unknown };
+  Place place_of(const Piece& piece, const NamedPolygon& clip) const;
   bool divide(std::uint16_t piece);
   bool keep_inside(std::uint16_t piece);
   bool show_and_pop();

@@ -115,13 +115,14 @@ bool Arrangement::intersect() {
     if (!add_node(segment.low, false, segment.role) || !add_node(segment.high, false, segment.role)) return false;
   }
   merge_nodes();
+  const std::uint16_t corners = nodes_;
   for (std::uint16_t i = 1; i < segments_; ++i) {
     const Segment& segment = pools_.segments[i];
     for (std::uint32_t j = i + 1u; j <= segments_ && pools_.segments[j].low.x <= segment.high.x; ++j) {
       if (boxes_meet_in_y(segment, pools_.segments[j]) && !cross(i, static_cast<std::uint16_t>(j))) return false;
     }
   }
-  merge_nodes();
+  if (nodes_ != corners) merge_nodes();
   if (rounded_ != 0) settle();
   return true;
 }

@@ -108,6 +108,28 @@ class Borders {
     });
   }
 
+  // Whether the line through an edge of `border` has that border on its right, or on it, and `other` on its left, or on
+  // it: then they share no more than a border. True of some edge where both are convex and apart.
+  bool has_beside(const Border& border, const Border& other) const {
+    for (std::uint16_t i = border.first; i != 0; i = edges_[i].next) {
+      const BorderEdge& edge = edges_[i];
+      if (all_from(other, [&](GridPoint p) { return orientation(edge.from, edge.to, p) >= 0; }) &&
+          all_from(border, [&](GridPoint p) { return orientation(edge.from, edge.to, p) <= 0; })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Whether `other` lies right of every edge of `border`, or on it: then it is in the kernel of that region.
+  bool holds(const Border& border, const Border& other) const {
+    for (std::uint16_t i = border.first; i != 0; i = edges_[i].next) {
+      const BorderEdge& edge = edges_[i];
+      if (!all_from(other, [&](GridPoint p) { return orientation(edge.from, edge.to, p) <= 0; })) return false;
+    }
+    return true;
+  }
+
   Box bounds(const Border& border) const {
     Box box = Box::none();
     each_end(border, [&](GridPoint p) { box.widen(p); });
@@ -120,6 +142,14 @@ class Borders {
   std::uint16_t most() const { return most_; }  // edges in use at once
 
  private:
+  template <typename Holds>
+  bool all_from(const Border& border, Holds holds) const {
+    for (std::uint16_t i = border.first; i != 0; i = edges_[i].next) {
+      if (!holds(edges_[i].from)) return false;
+    }
+    return true;
+  }
+
   FreeList<BorderEdge, &BorderEdge::next> edges_;
   bool full_ = false;
   std::uint16_t most_ = 0;
