@@ -52,7 +52,8 @@ awk '
     print "Made by `sh tests/bench/growth/growth.sh . build/growth docs/growth.md`: the image of each line is"
     print "executed by an emulated Cortex-M4 that counts instructions. Kites of random size and slant at random levels; more polygons"
     print "are smaller ones, so that as many lie over a place, and nearly all are partly visible. A lateral comparison holds a"
-    print "piece against a clip polygon; where their boxes overlap it takes a run of the clipper."
+    print "piece against a clip polygon; unless their boxes or the line of an edge part them, or the piece lies within all edges of"
+    print "the other, it takes a run of the clipper."
   }
   {
     if ($2 != most || NR == 1) {
