@@ -2,6 +2,7 @@
 // flash.
 #include "mcu/chip.hpp"
 #include "mcu/pl022.hpp"
+#include "mcu/sio_divider.hpp"
 
 namespace spanline::host {
 namespace {
@@ -177,9 +178,15 @@ class Pads final : public Held {
 
 class SingleCycleIo final : public Peripheral {
  public:
-  explicit SingleCycleIo(PinBank& pins) : Peripheral("SIO", 0xD000'0000, 0x1000), pins_(pins) {}
-  std::optional<std::uint32_t> read(std::uint32_t) override { return std::nullopt; }
+  SingleCycleIo(PinBank& pins, std::function<std::uint64_t()> now)
+      : Peripheral("SIO", 0xD000'0000, 0x1000), pins_(pins), now_(std::move(now)) {}
+  std::optional<std::uint32_t> read(std::uint32_t offset) override {
+    const std::uint32_t of_divider = offset - SioDivider::kOffset;
+    return of_divider < SioDivider::kBytes ? divider_.read(of_divider, now_()) : std::nullopt;
+  }
   bool write(std::uint32_t offset, std::uint32_t value) override {
+    const std::uint32_t of_divider = offset - SioDivider::kOffset;
+    if (of_divider < SioDivider::kBytes) return divider_.write(of_divider, value, now_());
     constexpr std::uint32_t kSet = 0x14, kClear = 0x18, kEnable = 0x24;
     if (offset != kSet && offset != kClear && offset != kEnable) return false;
     pins_.change(offset == kSet ? value : 0, offset == kClear ? value : 0, offset == kEnable ? value : 0);
@@ -188,6 +195,8 @@ class SingleCycleIo final : public Peripheral {
 
  private:
   PinBank& pins_;
+  std::function<std::uint64_t()> now_;
+  SioDivider divider_;
 };
 
 // The serial flash's interface: what a line of the execute-in-place cache costs follows from it. Each of the line's two
@@ -274,7 +283,7 @@ class Rp2040 final : public Chip {
         pll, [this](std::uint32_t kilohertz) { run_at(kilohertz); }, complain_of);
     add<IoBank>(pins_, resets);
     add<Pads>(resets);
-    add<SingleCycleIo>(pins_);
+    add<SingleCycleIo>(pins_, [this] { return now_; });
     add<FlashPort>([this](unsigned cycles) { memory_.set_miss(cycles); });
     add<Dma>(kSpi0Base + 8, dma_, resets, complain_of, [this] { feed(now_); });
     add<Pl022>("SPI0", kSpi0Base, port_,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "assetc/input_error.hpp"
+#include "mcu/sio_divider.hpp"
 #include "mcu/tiny_elf.hpp"
 #include "sim/usage_error.hpp"
 
@@ -117,6 +118,38 @@ TEST(Machine, SaysWhichRegisterIsNotModelled) {
             std::string::npos);
   EXPECT_NE(fault_on("ek-lm3s6965", 0, reads(0x4000'8000)).find("of SSI0, which has no clock"), std::string::npos);
   EXPECT_NE(fault_on("ek-lm3s6965", 0, reads(0x4003'0000)).find("where nothing is modelled"), std::string::npos);
+}
+
+struct Division {
+  std::uint32_t at;  // of the dividend's register; the divisor's follows
+  std::uint32_t a, b, quotient, remainder;
+};
+
+TEST(SioDivider, DividesAsTheChip) {
+  constexpr std::uint32_t kUnsigned = 0x00, kSigned = 0x08, kQuotient = 0x10, kRemainder = 0x14, kState = 0x18;
+  const auto minus = [](std::uint32_t value) { return 0u - value; };
+  const Division divisions[] = {{kUnsigned, 1000, 7, 142, 6},
+                                {kUnsigned, minus(1), 2, 0x7FFF'FFFF, 1},
+                                {kUnsigned, 5, 0, minus(1), 5},
+                                {kSigned, minus(1000), 7, minus(142), minus(6)},
+                                {kSigned, 1000, minus(7), minus(142), 6},
+                                {kSigned, minus(1000), minus(7), 142, minus(6)},
+                                {kSigned, 0x8000'0000, minus(1), 0x8000'0000, 0},
+                                {kSigned, 5, 0, minus(1), 5},
+                                {kSigned, minus(5), 0, 1, minus(5)}};
+  SioDivider divider;
+  std::uint64_t now = 100;
+  for (const Division& division : divisions) {
+    EXPECT_TRUE(divider.write(division.at, division.a, now));
+    EXPECT_TRUE(divider.write(division.at + 4, division.b, now + 1));
+    EXPECT_EQ(divider.read(kState, now + 8), 2u);
+    EXPECT_FALSE(divider.read(kQuotient, now + 8));
+    EXPECT_EQ(divider.read(kRemainder, now + 9), division.remainder);
+    EXPECT_EQ(divider.read(kQuotient, now + 9), division.quotient) << division.a << " / " << division.b;
+    EXPECT_EQ(divider.read(kState, now + 9), 1u);
+    now += 20;
+  }
+  EXPECT_FALSE(divider.write(kState, 0, now));
 }
 
 TEST(Machine, RefusesWhatTheCoreLacks) {
