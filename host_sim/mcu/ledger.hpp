@@ -17,16 +17,20 @@ class Ledger {
   explicit Ledger(std::size_t functions) : functions_(functions + 1), at_begin_(functions + 1) {}
 
   void charge(const DecodedCode::Entry& entry, const Count& count) {
-    recent_.push_back({total_.time(), count.time(), entry.function, calls_.node(), calls_.stage()});
+    if (watching_) watch(entry, count);
     total_ += count;
     functions_[entry.function] += count;
     stages_[static_cast<std::size_t>(calls_.stage())] += count;
     calls_.charge(count);
-    if (recent_.size() == kLongestLoop) recent_.clear();
   }
 
-  // Nothing before this can have been a turn of a loop that waits.
-  void forget_recent() { recent_.clear(); }
+  // A register is asked: with this instruction a turn of a loop that waits may begin.
+  void asked() { watching_ = true; }
+  // No such turn has begun before this.
+  void forget_recent() {
+    watching_ = false;
+    recent_.clear();
+  }
   // What was charged since `begin` was a turn of a loop that waits.
   void charge_waiting(std::uint64_t begin);
 
@@ -55,6 +59,12 @@ class Ledger {
   };
   static constexpr std::size_t kLongestLoop = 1024;  // instructions of a turn
 
+  void watch(const DecodedCode::Entry& entry, const Count& count) {
+    recent_.push_back({total_.time(), count.time(), entry.function, calls_.node(), calls_.stage()});
+    if (recent_.size() == kLongestLoop) forget_recent();
+  }
+
+  bool watching_ = false;
   std::vector<Charge> recent_;
   Count total_, begin_;
   StageCounts stages_{};

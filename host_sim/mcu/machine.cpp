@@ -167,6 +167,7 @@ std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {
     ledger_.charge_waiting(wait->begin);
     if (frames_) frames_->waited(wait->begin, wait->end);
   }
+  ledger_.asked();
   return value.value_or(0);
 }
 
