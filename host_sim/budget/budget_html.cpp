@@ -1,5 +1,6 @@
 #include "budget/budget.hpp"
 #include "budget/page.hpp"
+#include "budget/picture_url.hpp"
 #include "budget/profile_json.hpp"
 
 namespace spanline::host {
@@ -20,7 +21,8 @@ std::string replaced(std::string text, const std::string& key, const std::string
 
 std::string budget_html(const BudgetReport& budget) {
   const std::string page = replaced(kPage, "@REPORT@", quoted(budget_json(budget)));
-  return replaced(page, "@PROFILE@", quoted(profile_json(budget.run)));
+  const std::string shown = budget.run.panel ? picture_url(budget.run.panel->picture) : "";
+  return replaced(replaced(page, "@PROFILE@", quoted(profile_json(budget.run))), "@SHOWN@", shown);
 }
 
 }  // namespace spanline::host

@@ -35,6 +35,7 @@ done
 [ "$board" = stm32f429i-disc1 ] && command -v chromium > /dev/null || exit 0
 timeout 60 chromium --headless --no-sandbox --disable-gpu --dump-dom "$reports/$board-gears.html" 2> /dev/null > "$reports/dom.html"
 grep -q 'data-ready="yes"' "$reports/dom.html" || { echo "the page did not draw itself"; exit 1; }
+grep -q '<img [^>]*src="data:image/bmp;base64,Qk' "$reports/dom.html" || { echo "the page lacks the panel's picture"; exit 1; }
 bars=$(grep -o '<rect' "$reports/dom.html" | wc -l)
 lines=$(grep -c '"slack"' "$reports/$board-gears.json")
 [ "$bars" -eq "$lines" ] && [ "$bars" -gt 0 ] || { echo "$bars lines drawn, wanted $lines"; exit 1; }
