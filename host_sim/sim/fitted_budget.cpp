@@ -36,14 +36,17 @@ bool has_gouraud(const CompiledScene& scene) {
 
 }  // namespace
 
-Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last) {
+Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last, std::uint16_t point_lines) {
   const SceneDescription& description = scene.description();
   Budget budget{.width = description.width, .height = description.height};
   budget.facets = budget.polygons = budget.segments = budget.active = 1;  // these cannot be empty
   budget.vertices = budget.edges = budget.samples = budget.implied = 0;
   budget.gouraud = has_gouraud(scene);
+  budget.point_lines = point_lines;
 
   EngineOptions options;
+  if (point_lines != 0) options.surface = Surface::points;
+  options.pools.point_lines = point_lines;
   options.width = budget.width;
   options.height = budget.height;
   options.observe = true;
@@ -136,9 +139,10 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("active", budget.active);
     field("samples", budget.samples);
     field("implied", budget.implied);
-    field("layers", budget.layers);
     field("patch_facets", budget.patch_facets);
     field("patch_vertices", budget.patch_vertices);
+    field("point_lines", budget.point_lines);
+    field("layers", budget.layers);
     gouraud();
   }
   text += "};\n\n}  // namespace " + name + "\n";

@@ -12,8 +12,9 @@ namespace spanline::host {
 
 // The least budget that draws frames `first` to `last` of a scene at full speed, in RGB565 and at the scene's size:
 // each in one band, no vertex projected twice, no hint dropped. The scene is left at frame `last`. Throws InputError
-// with the scene's name where a frame cannot be drawn.
-Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);
+// with the scene's name where a frame cannot be drawn. With `point_lines` patches are drawn as points, in bands of so
+// many lines.
+Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last, std::uint16_t point_lines = 0);
 
 // The same for the edge walker alone, or nothing where it cannot draw one of the frames.
 std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);

@@ -44,6 +44,10 @@ bench() {
   want libpolyclipping-dev
   build host spanline_bench
   build/host/tests/bench/spanline_bench --benchmark_counters_tabular=true
+  say "points computed for a pixel, beside older ways"
+  build host spanline-redundancy
+  build/host/spanline-redundancy build/bench/redundancy.md
+  cat build/bench/redundancy.md
   grep -q 'spanline_area_bench' build/host/build.ninja || return 0
   say "the clipper beside libpolyclipping"
   build host spanline_area_bench

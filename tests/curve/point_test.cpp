@@ -51,10 +51,10 @@ int gaps(const std::vector<Row>& rows) {
 }
 
 TEST(Points, NeighboursTouch) {
-  oracle::Random random(1);
-  for (std::uint64_t view = 0; view < 150; ++view) {
-    const PatchView about =
-        random_view(view, 0.05 + 0.01 * static_cast<double>(view), 8, view % 2 ? kLarge : kPatchScreen);
+  const std::uint64_t views = scene_count(24, 300);
+  for (std::uint64_t view = 0; view < views; ++view) {
+    const PatchView about = random_view(view, 0.05 + 1.5 * static_cast<double>(view) / static_cast<double>(views), 8,
+                                        view % 2 ? kLarge : kPatchScreen);
     for (const PatchPoints& patch : view % 3 == 0 ? random_patches(view, 3) : teapot_patches()) {
       each_piece(patch, about, all_of(kLarge),
                  [&](const ScreenPiece& piece) { ASSERT_EQ(gaps(rows_of(piece)), 0) << "view " << view; });
@@ -124,8 +124,8 @@ Place3 exact_on(const ClipPatch& patch, const PatchView& view, double u, double 
 // What a piece's walk leads to against the patch itself.
 TEST(Points, PiecesFollowThePatch) {
   double farthest = 0, deepest = 0;
-  for (std::uint64_t view = 0; view < 60; ++view) {
-    const PatchView about = random_view(view, 0.15 + 0.02 * static_cast<double>(view), 8);
+  for (std::uint64_t view = 0; view < 20; ++view) {
+    const PatchView about = random_view(view, 0.15 + 0.06 * static_cast<double>(view), 8);
     for (const PatchPoints& points : teapot_patches()) {
       const ClipPatch patch = about.patch(points);
       each_piece(points, about, all_of(kPatchScreen), [&](const ScreenPiece& piece) {
@@ -186,7 +186,7 @@ TEST(Points, PiecesDoNotDependOnTheWindow) {
 // Points stepped to over the pixels that they lie in, a patch at a time, the whole picture being one band.
 TEST(Points, TheTeapotTakesNoMoreThanTwoAndAHalfPointsAPixel) {
   const auto patches = teapot_patches();
-  const std::uint64_t views = scene_count(50, 1000);
+  const std::uint64_t views = scene_count(20, 1000);
   double sum = 0, worst = 0;
   for (std::uint64_t view = 1; view <= views; ++view) {
     const PatchView about = random_view(view, 1, 8);

@@ -20,14 +20,23 @@ ClipPoint middle(const ClipPoint& a, const ClipPoint& b) {
   return {middle(a.x, b.x), middle(a.y, b.y), middle(a.w, b.w)};
 }
 
-// Leaves one half of a curve.
-void halve_curve(ClipPoint& p0, ClipPoint& p1, ClipPoint& p2, ClipPoint& p3, bool second) {
+// Leaves the first half of a curve whose points are `step` apart, and writes the second.
+void halve_curve(ClipPoint* p, int step, ClipPoint* second) {
+  ClipPoint &p0 = p[0], &p1 = p[step], &p2 = p[2 * step], &p3 = p[3 * step];
   const ClipPoint a = middle(p0, p1), b = middle(p1, p2), c = middle(p2, p3);
   const ClipPoint ab = middle(a, b), bc = middle(b, c), all = middle(ab, bc);
-  if (second) {
-    p0 = all, p1 = bc, p2 = c;
-  } else {
-    p1 = a, p2 = ab, p3 = all;
+  second[0] = all, second[step] = bc, second[2 * step] = c, second[3 * step] = p3;
+  p1 = a, p2 = ab, p3 = all;
+}
+
+// Leaves the first half of a net, and writes the second.
+void halve_net(ClipPatch& net, bool along_u, ClipPatch& second) {
+  for (int k = 0; k < 4; ++k) {
+    if (along_u) {
+      halve_curve(net.at[k], 1, second.at[k]);
+    } else {
+      halve_curve(&net.at[0][k], 4, &second.at[0][k]);
+    }
   }
 }
 
@@ -213,16 +222,16 @@ bool PieceCutter::project(ScreenPiece& out) const {
       const std::uint32_t inverse = reciprocal_normalised(w << up);  // 2^(61 - up) / w
       const std::int32_t x = clamp(p.x, border(p.w)), y = clamp(p.y, border(p.w));
       inside = inside && x == p.x && y == p.y;
-      const auto scaled = [&](std::int32_t v, int shift) {
-        return static_cast<std::int32_t>((std::int64_t{v} * inverse) >> (shift - up));
+      // v / w * 2^28: v is within 1.5 w, and the near plane within 2 w.
+      const auto over_w = [&](std::int32_t v) {
+        return mul_high(up > 0 ? v * (1 << (up - 1)) : v >> 1, static_cast<std::int32_t>(inverse));
       };
       // v / w * kGuardPx px in Q13.19 is v / w * 2^29.
       static_assert(kGuardPx << kPointBits == 1 << 29);
       static_assert(2 * kBorderPx < 1 << (31 - kPointBits), "differences fit a word");
-      out.at[kPointX][i][j] = scaled(x, 32) + (projection_.centre_x << (kPointBits - 4));
-      out.at[kPointY][i][j] = scaled(y, 32) + (projection_.centre_y << (kPointBits - 4));
-      static_assert(16 + kPointDepthBits == 61 - 35);
-      out.at[kPointDepth][i][j] = scaled(projection_.near_w, 35);
+      out.at[kPointX][i][j] = over_w(x) * 2 + (projection_.centre_x << (kPointBits - 4));
+      out.at[kPointY][i][j] = over_w(y) * 2 + (projection_.centre_y << (kPointBits - 4));
+      out.at[kPointDepth][i][j] = over_w(projection_.near_w) >> (28 - 16 - kPointDepthBits);
     }
   }
   return inside;
@@ -278,31 +287,45 @@ void PieceCutter::descend() {
   const std::uint32_t bit = 1u << cuts_;
   along_u_ = cut_u_ ? along_u_ | bit : along_u_ & ~bit;
   second_ &= ~bit;
-  halve(cuts_++);
+  halve_net(net_, cut_u_, kept_[cuts_ % kKept]);
+  kept_of_[cuts_ % kKept] = static_cast<std::uint8_t>(cuts_);
+  enter(cuts_++);
 }
 
 // To the second half of the last cut that has not been there yet.
 void PieceCutter::advance() {
-  while (cuts_ != 0 && (second_ >> (cuts_ - 1) & 1u) != 0) --cuts_;
+  while (cuts_ != 0 && (second_ >> (cuts_ - 1) & 1u) != 0) leave(--cuts_);
   done_ = cuts_ == 0;
   if (done_) return;
-  second_ |= 1u << (cuts_ - 1);
-  net_ = patch_;
-  u_ = v_ = {};
-  for (std::uint32_t cut = 0; cut < cuts_; ++cut) halve(cut);
+  const std::uint32_t cut = cuts_ - 1;
+  leave(cut);
+  second_ |= 1u << cut;
+  enter(cut);
+  std::uint8_t& kept = kept_of_[cut % kKept];
+  if (kept == cut) {
+    net_ = kept_[cut % kKept];
+    kept = kNone;
+  } else {
+    cut_again();
+  }
 }
 
-void PieceCutter::halve(std::uint32_t cut) {
-  const bool second = (second_ >> cut & 1u) != 0, along_u = (along_u_ >> cut & 1u) != 0;
-  PieceRange& range = along_u ? u_ : v_;
-  range = {2 * range.index + (second ? 1u : 0u), range.level + 1};
-  for (int k = 0; k < 4; ++k) {
-    auto& at = net_.at;
-    if (along_u) {
-      halve_curve(at[k][0], at[k][1], at[k][2], at[k][3], second);
-    } else {
-      halve_curve(at[0][k], at[1][k], at[2][k], at[3][k], second);
-    }
+void PieceCutter::enter(std::uint32_t cut) {
+  PieceRange& range = (along_u_ >> cut & 1u) != 0 ? u_ : v_;
+  range = {2 * range.index + (second_ >> cut & 1u), range.level + 1};
+}
+void PieceCutter::leave(std::uint32_t cut) {
+  PieceRange& range = (along_u_ >> cut & 1u) != 0 ? u_ : v_;
+  range = {range.index / 2, range.level - 1};
+}
+
+void PieceCutter::cut_again() {
+  net_ = patch_;
+  ClipPatch& second = kept_[0];
+  kept_of_[0] = kNone;
+  for (std::uint32_t cut = 0; cut < cuts_; ++cut) {
+    halve_net(net_, (along_u_ >> cut & 1u) != 0, second);
+    if ((second_ >> cut & 1u) != 0) net_ = second;
   }
 }
 

@@ -75,7 +75,9 @@ class PieceCutter {
   void fit(ScreenPiece& piece) const;
   void descend();
   void advance();
-  void halve(std::uint32_t cut);
+  void enter(std::uint32_t cut);
+  void leave(std::uint32_t cut);
+  void cut_again();
 
   const ClipPatch& patch_;
   const Projection& projection_;
@@ -84,11 +86,15 @@ class PieceCutter {
   bool mirrored_;
   ClipPatch net_;
   PieceRange u_, v_;
-  // The cuts that led here, bit by bit from the first: along which direction, and whether to the second half. Going
-  // back they are made again, so that nothing need be kept of them.
+  // The cuts that led here, bit by bit from the first: along which direction, and whether to the second half. Where a
+  // second half is not among those kept any more, the cuts to it are made again.
   std::uint32_t along_u_ = 0, second_ = 0, cuts_ = 0;
   bool cut_u_ = false;  // the direction to cut next
   bool done_ = false;
+  static constexpr std::uint32_t kKept = 2;
+  static constexpr std::uint8_t kNone = kMostCuts;
+  ClipPatch kept_[kKept];  // second halves of the last cuts
+  std::uint8_t kept_of_[kKept] = {kNone, kNone};
 };
 
 }  // namespace spanline

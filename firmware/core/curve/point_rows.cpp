@@ -7,10 +7,11 @@
 namespace spanline {
 namespace {
 
+// 2^31 / n; of 1 what a word holds.
 constexpr auto kInverses = [] {
   std::array<std::int32_t, kMostPieceSteps + 1> inverses{};
-  for (std::int32_t n = 1; n <= static_cast<std::int32_t>(kMostPieceSteps); ++n) {
-    inverses[static_cast<std::size_t>(n)] = ((1 << 30) + n / 2) / n;
+  for (std::int64_t n = 1; n <= kMostPieceSteps; ++n) {
+    inverses[static_cast<std::size_t>(n)] = saturate32(((std::int64_t{1} << 31) + n / 2) / n);
   }
   return inverses;
 }();
@@ -22,7 +23,7 @@ constexpr auto kInverses = [] {
 CurveBasis<std::int32_t> piece_basis(const std::int32_t (&p)[4], std::uint32_t n) {
   const std::int32_t inverse = kInverses[n];
   const auto over_n = [inverse](std::int32_t v) {
-    return static_cast<std::int32_t>(shift_round(std::int64_t{v} * inverse, 30));
+    return static_cast<std::int32_t>(shift_round(std::int64_t{2 * v} * inverse, 32));  // |v| < 2^30
   };
   const std::int32_t a1 = 3 * (p[1] - p[0]), a2 = 3 * ((p[2] - p[1]) - (p[1] - p[0])),
                      a3 = p[3] - p[0] + 3 * (p[1] - p[2]);
@@ -88,13 +89,14 @@ void PointRows::step_off(PointPixel* out) const {
     const auto& c = columns_[axis];
     walk[axis] = piece_basis({c[0].b0.value(), c[1].b0.value(), c[2].b0.value(), c[3].b0.value()}, count_);
   }
-  PointPixel* const end = out + count_;
-  for (;; ++out) {
-    out->x = static_cast<std::int16_t>(walk[kPointX].b0.value() >> kPointBits);
-    out->y = static_cast<std::int16_t>(walk[kPointY].b0.value() >> kPointBits);
-    out->depth = walk[kPointDepth].b0.value();
+  CurveBasis<std::int32_t> x = walk[kPointX], y = walk[kPointY], depth = walk[kPointDepth];
+  for (PointPixel* const end = out + count_;; ++out) {
+    *out = {static_cast<std::int16_t>(x.b0.value() >> kPointBits),
+            static_cast<std::int16_t>(y.b0.value() >> kPointBits), depth.b0.value()};
     if (out == end) return;
-    for (auto& axis : walk) axis.step();
+    x.step();
+    y.step();
+    depth.step();
   }
 }
 

@@ -41,14 +41,16 @@ class PointRows {
 };
 
 // Hands `fill(column, pixel)` the pixels that lie within the diamond of four points, two of either row, and are none
-// of them.
+// of them. Neighbours touch, so that opposite corners are at most two apart: where they have the same x or y and differ
+// by an even number in the other, they are none or two apart.
 template <typename Fill>
 void fill_diamonds(const PointPixel* above, const PointPixel* below, std::uint32_t columns, Fill&& fill) {
-  const auto two_apart = [](std::int32_t a, std::int32_t b) { return a - b == 2 || b - a == 2; };
   for (std::uint32_t i = 0; i < columns; ++i) {
     const PointPixel &a = above[i], &b = above[i + 1], &c = below[i + 1], &d = below[i];
-    const bool lying = a.y == c.y && b.x == d.x && two_apart(a.x, c.x) && two_apart(b.y, d.y);
-    const bool standing = a.x == c.x && b.y == d.y && two_apart(a.y, c.y) && two_apart(b.x, d.x);
+    const int across_x = a.x ^ c.x, across_y = a.y ^ c.y, along_x = b.x ^ d.x, along_y = b.y ^ d.y;
+    if (((across_x | across_y | along_x | along_y) & 1) != 0) continue;
+    const bool lying = across_x != 0 && across_y == 0 && along_x == 0 && along_y != 0;
+    const bool standing = across_x == 0 && across_y != 0 && along_x != 0 && along_y == 0;
     if (!lying && !standing) continue;
     fill(i, PointPixel{static_cast<std::int16_t>((a.x + c.x) / 2), static_cast<std::int16_t>((a.y + c.y) / 2),
                        (a.depth >> 1) + (c.depth >> 1)});

@@ -2,13 +2,33 @@
 
 namespace spanline {
 
+namespace {
+
+constexpr std::int32_t kNear = std::int32_t{1} << (16 + kPointDepthBits);  // depth of the near plane, Q16.10
+
+}  // namespace
+
 // A patch at work.
 struct PointSource::Job {
   const PatchLook& look;
   PointWindow window;
   std::uint16_t face;
+  bool mirrored;
   std::int32_t farthest;  // Q16.10: nothing beyond is drawn
   PatchShape shape;
+};
+
+// A row of a piece at work.
+struct PointSource::Row {
+  const PieceShade& shade;
+  const std::int32_t* turns;  // by which side the points turn; null: `front` says it of all
+  bool front;
+  bool left_is_front;
+
+  bool is_front(std::uint32_t column) const {
+    if (turns == nullptr) return front;
+    return left_is_front ? turns[column] <= 0 : turns[column] >= 0;
+  }
 };
 
 void PointSource::begin_band(std::int32_t top, std::int32_t bottom) {
@@ -20,67 +40,77 @@ void PointSource::begin_band(std::int32_t top, std::int32_t bottom) {
 
 void PointSource::plot(const FacetReader& reader, std::uint16_t face, const PatchLook& look) {
   const Projection& projection = reader.projection();
-  Job job{look, {top_, bottom_, screen_.width}, face, 0, {}};
+  Job job{look, {top_, bottom_, screen_.width}, face, reader.mirrored(), 0, {}};
   job.farthest = static_cast<std::int32_t>(projection.depth(projection.far_w) << (kPointDepthBits - 8));
   ClipPatch patch;
   for (std::uint32_t i = 0; i < 16; ++i) {
     patch.at[i / 4][i % 4] = reader.control_point(i);
     job.shape.at[i / 4][i % 4] = reader.mesh().positions[reader.face().corners[i]];
   }
-  PieceCutter cutter(patch, projection, job.window, reader.mirrored());
+  PieceCutter cutter(patch, projection, job.window, job.mirrored);
   for (ScreenPiece piece; cutter.next(piece);) {
-    if (look.two_sided || piece.side != PieceSide::back) plot(job, piece, reader.mirrored());
+    if (look.two_sided || piece.side != PieceSide::back) plot(job, piece);
   }
 }
 
-void PointSource::plot(const Job& job, const ScreenPiece& piece, bool mirrored) {
+void PointSource::plot(const Job& job, const ScreenPiece& piece) {
   PieceShade shade(piece, job.shape, job.look);
+  plot_rows(job, piece, shade);
+}
+
+void PointSource::plot_rows(const Job& job, const ScreenPiece& piece, PieceShade& shade) {
+  const bool mixed = piece.side == PieceSide::mixed;
   PointPixel points[2][kMostPieceSteps + 1];
   std::int32_t turns[kMostPieceSteps + 1];
-  const auto front = [&](std::uint32_t column) {
-    if (piece.side != PieceSide::mixed) return piece.side == PieceSide::front;
-    // Fronts turn to the left, where y points down.
-    return mirrored != piece.turned ? turns[column] >= 0 : turns[column] <= 0;
-  };
+  // Where y points down, fronts turn to the left.
+  const Row row{shade, mixed ? turns : nullptr, piece.side == PieceSide::front, job.mirrored == piece.turned};
   PointRows rows(piece);
   bool had_above = false;
-  for (std::uint32_t row = 0; row <= piece.rows; ++row, rows.step()) {
+  for (std::uint32_t index = 0; index <= piece.rows; ++index, rows.step()) {
     const bool meets = rows.meets(job.window);
     if (meets) {
-      const PointPixel* const above = points[(row + 1) % 2];
-      PointPixel* const below = points[row % 2];
+      const PointPixel* const above = points[(index + 1) % 2];
+      PointPixel* const below = points[index % 2];
       rows.step_off(below);
+      if (mixed) rows.turns(turns);
       points_ += piece.columns + 1;
-      shade.begin_row(row);
-      if (piece.side == PieceSide::mixed) rows.turns(turns);
-      for (std::uint32_t i = 0; i <= piece.columns; ++i) put(below[i], job, shade, front(i), i);
+      shade.begin_row(index);
+      put(job, row, below, 0, piece.columns + 1);
       if (had_above) {
-        fill_diamonds(above, below, piece.columns, [&](std::uint32_t column, const PointPixel& pixel) {
-          put(pixel, job, shade, front(column), column);
-        });
+        fill_diamonds(above, below, piece.columns,
+                      [&](std::uint32_t column, const PointPixel& pixel) { put(job, row, &pixel, column, 1); });
       }
     }
     had_above = meets;
   }
 }
 
-void PointSource::put(const PointPixel& point, const Job& job, const PieceShade& shade, bool front,
-                      std::uint32_t column) {
-  constexpr std::int32_t kNear = std::int32_t{1} << (16 + kPointDepthBits);
-  if (point.x < 0 || point.x >= job.window.width || point.y < top_ || point.y >= bottom_) return;
-  if (point.depth > kNear || point.depth < job.farthest) return;
-  if (!front && !job.look.two_sided) return;
-  const std::uint32_t depth =
-      static_cast<std::uint32_t>(point.depth - (point.depth == kNear ? 1 : 0)) >> kPointDepthBits;
-  const std::uint32_t index =
-      static_cast<std::uint32_t>(point.y - top_) * screen_.width + static_cast<std::uint32_t>(point.x);
-  std::uint32_t& cell = p_.cells[index];
-  if (depth < cell >> 16) return;
-  // Depth 0 is that of an empty cell.
-  const std::uint32_t word = (depth == 0 ? 1 : depth) << 16 | shade.payload(front, column);
-  if (word <= cell) return;
-  cell = word;
-  if (!p_.faces.empty()) p_.faces[index] = job.face;
+// What does not change from point to point is at hand in locals: the cells written might be it, for all the compiler
+// knows.
+void PointSource::put(const Job& job, const Row& row, const PointPixel* points, std::uint32_t column,
+                      std::uint32_t count) {
+  const auto width = static_cast<std::uint32_t>(job.window.width);
+  const auto lines = static_cast<std::uint32_t>(job.window.bottom - job.window.top);
+  const std::int32_t top = job.window.top, farthest = job.farthest;
+  const bool two_sided = job.look.two_sided;
+  std::uint32_t* const cells = p_.cells.data();
+  std::uint16_t* const faces = p_.faces.data();
+  for (const std::uint32_t end = column + count; column != end; ++column, ++points) {
+    const auto x = static_cast<std::uint32_t>(points->x), y = static_cast<std::uint32_t>(points->y - top);
+    if (x >= width || y >= lines) continue;
+    const std::uint32_t at = y * width + x, old = cells[at];
+    const std::int32_t depth = points->depth;
+    if (depth >> kPointDepthBits < static_cast<std::int32_t>(old >> 16)) continue;
+    if (depth > kNear || depth < farthest) continue;
+    const bool front = row.is_front(column);
+    if (!front && !two_sided) continue;
+    // Depth 0 is that of an empty cell, and the near plane's would need another bit.
+    const std::uint32_t nearness = static_cast<std::uint32_t>(depth - (depth == kNear ? 1 : 0)) >> kPointDepthBits;
+    const std::uint32_t word = (nearness == 0 ? 1 : nearness) << 16 | row.shade.payload(front, column);
+    if (word <= old) continue;
+    cells[at] = word;
+    if (faces != nullptr) faces[at] = job.face;
+  }
 }
 
 }  // namespace spanline

@@ -44,9 +44,13 @@ class PointSource {
 
  private:
   struct Job;
+  struct Row;
 
-  void plot(const Job& job, const ScreenPiece& piece, bool mirrored);
-  void put(const PointPixel& point, const Job& job, const PieceShade& shade, bool front, std::uint32_t column);
+  void plot(const Job& job, const ScreenPiece& piece);
+  [[gnu::noinline]]  // keeps its rows off the stack while normals are worked out
+  void
+  plot_rows(const Job& job, const ScreenPiece& piece, PieceShade& shade);
+  void put(const Job& job, const Row& row, const PointPixel* points, std::uint32_t column, std::uint32_t count);
 
   PointStorage p_;
   Screen screen_;

@@ -19,12 +19,13 @@ namespace {
 using namespace host;
 
 // The picture of the very records that the image draws.
-Expected draw(const CompiledScene& scene) {
+Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
   Expected seen{std::filesystem::path(scene.description().place).stem().string(), "as written", 2166136261u, 0, 0, 0};
   EngineOptions options;
   options.width = scene.description().width;
   options.height = scene.description().height;
   options.observe = true;
+  if (point_lines != 0) options.surface = Surface::points;
   options.on_line = [&seen](const FinishedLine& line) {
     for (const std::uint8_t byte : line.wire) seen.checksum = (seen.checksum ^ byte) * 16777619u;
   };
@@ -45,6 +46,7 @@ PrepareCommand::PrepareCommand(CLI::App& app)
     : verb_(app.add_subcommand("prepare", "compile a scene for an image that draws it, with a budget that fits")) {
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the folder")->required();
+  verb_->add_option("--point-lines", point_lines_, "draw patches as points, in bands of so many lines (default: dice)");
 }
 
 void PrepareCommand::run() const {
@@ -53,9 +55,9 @@ void PrepareCommand::run() const {
   std::optional<Budget> budget = fitted_edge_budget(scene, 0, 0);
   if (!budget) {
     scene.merge_coplanar(kMostMergedCorners);
-    budget = fitted_budget(scene, 0, 0);
+    budget = fitted_budget(scene, 0, 0, point_lines_);
   }
-  Expected expected = draw(scene);
+  Expected expected = draw(scene, point_lines_);
   if (scene_.shading()) expected.shading = *scene_.shading();
 
   std::filesystem::create_directories(out_);

@@ -34,6 +34,7 @@ class PrepareCommand {
   CLI::App* verb_;
   host::SceneOptions scene_;
   std::string out_;
+  std::uint16_t point_lines_ = 0;
 };
 
 }  // namespace spanline::bench
