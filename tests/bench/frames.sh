@@ -2,7 +2,8 @@
 # Counts what frames take: compiles scenes with budgets that fit them, cross-builds an image of each for each core, executes
 # them, prints the table and writes WORK/frames.json.
 # usage: frames.sh SOURCE WORK FRAMES "CPU…" "SHADING…" SCENE…
-# FRAMES: the tool spanline-frames; CPU: m0plus, m3, m4; SHADING: flat, gouraud
+# FRAMES: the tool spanline-frames; CPU: m0plus, m3, m4; SHADING: flat, gouraud; SCENE: a file, or FILE:LINES, whose patches are
+# drawn as points in bands of so many lines
 set -eu
 [ $# -ge 6 ] || { echo "usage: frames.sh SOURCE WORK FRAMES \"CPU…\" \"SHADING…\" SCENE…" >&2; exit 2; }
 command -v arm-none-eabi-g++ > /dev/null || { echo "skipped: no arm-none-eabi-g++"; exit 77; }
@@ -18,9 +19,12 @@ folders=
 names=
 for scene in "$@"; do
   for shading in $shadings; do
-    name=$(basename "$scene")
-    name=${name%.*}-$shading
-    "$tool" prepare "$scene" --shading "$shading" --out "$work/frames/$name"
+    file=${scene%:*}
+    lines=${scene#"$file"}
+    lines=${lines#:}
+    name=$(basename "$file")
+    name=${name%.*}${lines:+-points}-$shading
+    "$tool" prepare "$file" --shading "$shading" ${lines:+--point-lines "$lines"} --out "$work/frames/$name"
     folders="$folders;$work/frames/$name"
     names="$names $name"
   done

@@ -53,7 +53,42 @@ void PointSource::plot(const FacetReader& reader, std::uint16_t face, const Patc
   }
 }
 
+// Whether all pixels that the piece may have a point in show something nearer than it comes.
+bool PointSource::hidden(const Job& job, const ScreenPiece& piece) const {
+  std::int32_t least[kPointAxes], most[kPointAxes];
+  for (int axis = 0; axis < kPointAxes; ++axis) {
+    least[axis] = most[axis] = piece.at[axis][0][0];
+    for (const auto& row : piece.at[axis]) {
+      for (const std::int32_t v : row) {
+        least[axis] = v < least[axis] ? v : least[axis];
+        most[axis] = v > most[axis] ? v : most[axis];
+      }
+    }
+  }
+  // What rounding may add on the way is less than that.
+  constexpr std::int32_t kRounding = 1 << (kPointBits - 4), kDepthRounding = 1 << 8;
+  const auto begin = [](std::int32_t v, std::int32_t low) {
+    const std::int32_t px = (v - kRounding) >> kPointBits;
+    return px > low ? px : low;
+  };
+  const auto end = [](std::int32_t v, std::int32_t high) {
+    const std::int32_t px = ((v + kRounding) >> kPointBits) + 1;
+    return px < high ? px : high;
+  };
+  const std::int32_t nearest = (most[kPointDepth] + kDepthRounding) >> kPointDepthBits;
+  const std::int32_t left = begin(least[kPointX], 0), right = end(most[kPointX], job.window.width);
+  const std::int32_t bottom = end(most[kPointY], bottom_);
+  for (std::int32_t y = begin(least[kPointY], top_); y < bottom; ++y) {
+    const std::uint32_t* const line = p_.cells.data() + static_cast<std::uint32_t>((y - top_) * job.window.width);
+    for (std::int32_t x = left; x < right; ++x) {
+      if (static_cast<std::int32_t>(line[x] >> 16) <= nearest) return false;
+    }
+  }
+  return true;
+}
+
 void PointSource::plot(const Job& job, const ScreenPiece& piece) {
+  if (hidden(job, piece)) return;
   PieceShade shade(piece, job.shape, job.look);
   plot_rows(job, piece, shade);
 }

@@ -46,6 +46,7 @@ class PointSource {
   struct Job;
   struct Row;
 
+  bool hidden(const Job& job, const ScreenPiece& piece) const;
   void plot(const Job& job, const ScreenPiece& piece);
   [[gnu::noinline]]  // keeps its rows off the stack while normals are worked out
   void

@@ -20,7 +20,8 @@ using namespace host;
 
 // The picture of the very records that the image draws.
 Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
-  Expected seen{std::filesystem::path(scene.description().place).stem().string(), "as written", 2166136261u, 0, 0, 0};
+  const std::string stem = std::filesystem::path(scene.description().place).stem().string();
+  Expected seen{point_lines == 0 ? stem : stem + "-points", "as written", 2166136261u, 0, 0, 0};
   EngineOptions options;
   options.width = scene.description().width;
   options.height = scene.description().height;
