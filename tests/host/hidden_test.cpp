@@ -6,6 +6,7 @@
 
 #include "assetc/scene_json.hpp"
 #include "assetc/text_file.hpp"
+#include "core/area/line_drawing.hpp"
 #include "hidden/hidden_json.hpp"
 #include "hidden/line_drawing.hpp"
 #include "host/support.hpp"
@@ -167,6 +168,35 @@ TEST(HiddenVerb, ACubeHasNineVisibleEdgesAndThreeHiddenOnes) {
   EXPECT_EQ(as_set(visible).size(), 9u);
   const SceneDescription& d = scene.description();
   EXPECT_EQ(hidden_lines(FacetList(scene, Facing::all), visible, d.width, d.height).size(), 3u);
+}
+
+// What a board draws (core/area/line_drawing.hpp) and what the host does, which has no bounds: the same lines.
+TEST(HiddenVerb, TheLinesAreThoseOfABoard) {
+  for (const char* name : {"clockwork.json", "../demos/dice.json", "../demos/plot.json"}) {
+    for (const std::uint32_t window : {0u, 16u}) {
+      const HiddenView view = view_of(flat_scene(name), window);
+      std::vector<area::DrawnEdge> edges(40001);
+      std::vector<area::GridPoint> corners(40001);
+      area::LineDrawing drawing({edges.data(), 40000}, {corners.data(), 40000});
+      drawing.clear();
+      for (const VisiblePolygon& polygon : view.polygons) {
+        for (const auto& ring : polygon.rings) {
+          for (std::size_t i = 0; i < ring.size(); ++i) {
+            drawing.edge(ring[i].at, ring[(i + 1) % ring.size()].at, polygon.facet);
+          }
+        }
+      }
+      ASSERT_TRUE(drawing.solve().ok());
+      struct Collect {
+        std::vector<Line> lines;
+        void line(area::GridPoint from, area::GridPoint to) { lines.push_back({from, to}); }
+      } collect;
+      drawing.read(collect);
+      const std::vector<Line> expected = visible_lines(view);
+      EXPECT_EQ(collect.lines.size(), expected.size()) << name;
+      EXPECT_EQ(as_set(collect.lines), as_set(expected)) << name;
+    }
+  }
 }
 
 // Lines that share more than a point would be drawn twice.
