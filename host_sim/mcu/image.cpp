@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "assetc/input_error.hpp"
 #include "assetc/text_file.hpp"
@@ -26,11 +27,36 @@ std::string demangled(const char* name) {
   return status == 0 && text ? text.get() : name;
 }
 
-// "spanline::f(int)" to "spanline::f": what a user types after --until.
-std::string without_parameters(const std::string& name) {
-  if (name.empty() || name.back() == ']') return name;
-  const std::size_t open = name.find('(', name.starts_with('(') ? 1 : 0);
-  return open == std::string::npos ? name : name.substr(0, open);
+constexpr const char* kClone = " [clone ";
+
+// Where what stands in brackets at the end of `name` begins; its length where nothing does.
+std::size_t last_brackets(const std::string& name) {
+  int depth = 0;
+  for (std::size_t at = name.size(); at-- != 0;) {
+    depth += name[at] == ')' ? 1 : name[at] == '(' ? -1 : 0;
+    if (depth == 0) return name[at] == '(' ? at : name.size();
+  }
+  return name.size();
+}
+
+// Behind the last space outside brackets: a return type stands before it.
+std::size_t behind_return_type(const std::string& name) {
+  int depth = 0;
+  for (std::size_t at = name.size(); at-- != 0;) {
+    const char c = name[at];
+    depth += c == ')' || c == '>' ? 1 : c == '(' || c == '<' ? -1 : 0;
+    if (depth == 0 && c == ' ') return at + 1;
+  }
+  return 0;
+}
+
+// "int n::f<T>(int) const [clone .isra.0]" to "n::f<T>": what a user types after --until.
+std::string spoken(const std::string& demangled) {
+  constexpr std::string_view kConst = " const";
+  std::string name = demangled.substr(0, demangled.find(kClone));
+  if (name.ends_with(kConst)) name.resize(name.size() - kConst.size());
+  name.resize(last_brackets(name));
+  return name.find("operator") == std::string::npos ? name.substr(behind_return_type(name)) : name;
 }
 
 std::uint32_t narrow(GElf_Addr value) { return static_cast<std::uint32_t>(value); }
@@ -177,26 +203,30 @@ std::string Image::name_at(std::uint32_t address) const {
   return index < 0 ? hex(address) : functions_[static_cast<std::size_t>(index)].name;
 }
 
-bool Image::Name::is(const std::string& wanted) const {
-  return wanted == plain || wanted == mangled || wanted == without_parameters(plain);
+bool Image::Name::is(const std::string& wanted, bool clone) const {
+  if (clone != (plain.find(kClone) != std::string::npos)) return wanted == mangled || wanted == plain;
+  return wanted == plain || wanted == mangled || wanted == spoken(plain);
 }
 
 std::uint32_t Image::address_of(const std::string& name) const {
   const Name* found = nullptr;
-  for (const Name& candidate : names_) {
-    if (!candidate.is(name)) continue;
-    if (found != nullptr && found->address != candidate.address) {
-      throw InputError(path_, "has several symbols '" + printable(name) + "', at " + hex(found->address) + " and " +
-                                  hex(candidate.address) + ": give the mangled name");
+  for (const bool clone : {false, true}) {  // a clone is meant only where the compiler has left nothing else
+    for (const Name& candidate : names_) {
+      if (!candidate.is(name, clone)) continue;
+      if (found != nullptr && found->address != candidate.address) {
+        throw InputError(path_, "has several symbols '" + printable(name) + "', at " + hex(found->address) + " and " +
+                                    hex(candidate.address) + ": give the mangled name");
+      }
+      found = &candidate;
     }
-    found = &candidate;
+    if (found != nullptr) return found->address;
   }
-  if (found == nullptr) throw InputError(path_, "has no symbol '" + printable(name) + "'");
-  return found->address;
+  throw InputError(path_, "has no symbol '" + printable(name) + "'");
 }
 
 bool Image::defines(const std::string& name) const {
-  return std::any_of(names_.begin(), names_.end(), [&](const Name& candidate) { return candidate.is(name); });
+  return std::any_of(names_.begin(), names_.end(),
+                     [&](const Name& candidate) { return candidate.is(name, false) || candidate.is(name, true); });
 }
 
 bool Image::read(std::uint32_t address, std::uint32_t size, void* out) const {

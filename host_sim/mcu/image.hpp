@@ -47,7 +47,8 @@ class Image {
   // "reset" or "0x00000040" where no function is.
   std::string name_at(std::uint32_t address) const;
 
-  // The address of the symbol (demangled, mangled, or demangled without its parameters). Throws InputError where there
+  // The address of the symbol (demangled, mangled, or demangled without return type and
+  // parameters). Throws InputError where there
   // is none, or several of that name.
   std::uint32_t address_of(const std::string& name) const;
 
@@ -66,7 +67,8 @@ class Image {
   struct Name {
     std::string plain, mangled;
     std::uint32_t address;
-    bool is(const std::string& wanted) const;
+    // By any of its names; by the spoken one where it is a clone, or is none.
+    bool is(const std::string& wanted, bool clone) const;
   };
   void read_segments(void* elf);
   void read_sections(void* elf);

@@ -48,6 +48,21 @@ TEST(Image, KnowsItsFunctions) {
   EXPECT_THROW(image.address_of("nobody"), InputError);
 }
 
+TEST(Image, KnowsNamesAsTheyAreSpoken) {
+  TinyElf elf;
+  elf.code = {0xBF00, 0x4770, 0x4770, 0x4770, 0x4770, 0xBE00};
+  elf.symbols = {{"_ZN3app6Filter4stepEi.isra.0", 0x41, 2}, {"_ZN3app5twiceIiEET_S1_", 0x43, 2},
+                 {"_ZN3app12_GLOBAL__N_14hideEv", 0x45, 2}, {"_ZNK3app6FiltereqEi", 0x47, 2},
+                 {"_ZN3app4callEPFvvE.cold", 0x4B, 2},      {"_ZN3app4callEPFvvE", 0x49, 2}};
+  const Image image(write_tiny_elf(elf, "names.elf"));
+  EXPECT_EQ(image.address_of("app::Filter::step"), 0x40u);
+  EXPECT_EQ(image.address_of("app::twice<int>"), 0x42u);
+  EXPECT_EQ(image.address_of("app::(anonymous namespace)::hide"), 0x44u);
+  EXPECT_EQ(image.address_of("app::Filter::operator=="), 0x46u);
+  EXPECT_EQ(image.address_of("app::call"), 0x48u);  // not the part that is seldom reached
+  EXPECT_TRUE(image.defines("app::Filter::step"));
+}
+
 TEST(Image, RefusesWhatIsNoImage) {
   EXPECT_NE(refusal(file_of("text.elf", "hello")).find("not an ELF file"), std::string::npos);
   EXPECT_NE(refusal(file_of("empty.elf", "")).find("not an ELF file"), std::string::npos);
