@@ -3,6 +3,8 @@
 #include <map>
 #include <tuple>
 
+#include "assetc/patch_sides.hpp"
+
 namespace spanline::host {
 namespace {
 
@@ -47,6 +49,7 @@ std::int32_t add_patches(SceneDescription& scene, const std::vector<BptPatch>& p
       for (const Vec3& p : row) mesh.corners.push_back({points.number(p)});
     }
   }
+  turn_patches_out(mesh);
   scene.materials.push_back(material);
   scene.meshes.push_back(std::move(mesh));
   return static_cast<std::int32_t>(scene.meshes.size()) - 1;

@@ -65,17 +65,20 @@ Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last
 
 namespace {
 
-using EdgeFrame = Frame<FrameOptions{.statistics = true, .walker = Walker::edges}>;
+constexpr FrameOptions kOfMeshes{.statistics = true, .walker = Walker::edges};
+constexpr FrameOptions kOfPatches{.statistics = true, .patches = true, .walker = Walker::edges};
 
-// The edges that the frame needs; nothing where it is not for the edge walker.
-std::optional<std::uint32_t> edges_of_frame(EdgeFrame& frame, const SceneView& view, const CameraRecord& camera,
-                                            Band rest) {
-  if (frame.prepare(view, camera, rest).empty()) return std::nullopt;
+// What the frame needs; nothing where it is not for the edge walker.
+template <FrameOptions kOptions>
+std::optional<Statistics> needs_of_frame(const SceneView& view, const CameraRecord& camera, const Screen& screen) {
+  HostMemory memory(screen, screen.height, {});
+  Frame<kOptions> frame(memory.storage());
+  if (frame.prepare(view, camera, {0, screen.height}).empty()) return std::nullopt;
   std::vector<std::uint32_t> line(frame.line_bytes() / sizeof(std::uint32_t) + 1);
   while (frame.next_line({reinterpret_cast<std::uint8_t*>(line.data()), frame.line_bytes()})) {
   }
   if (!frame.status().ok()) return std::nullopt;
-  return frame.statistics().max_edges;
+  return frame.statistics();
 }
 
 // Caches are of powers of two less one.
@@ -88,23 +91,28 @@ std::uint16_t cache_for(std::size_t things, std::size_t most) {
 std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t first, std::int64_t last) {
   const SceneDescription& description = scene.description();
   const Screen screen{description.width, description.height};
-  HostMemory memory(screen, screen.height, {});
-  EdgeFrame frame(memory.storage());
-  std::uint32_t edges = 0;
+  std::uint32_t edges = 0, grid = 0;
   SceneView view;
   for (std::int64_t number = first; number <= last; ++number) {
     scene.show(number);
     const SceneRecord record = scene.record();
     view = validated(record, description.place);
-    const auto needed = edges_of_frame(frame, view, scene.camera(), {0, screen.height});
+    const auto needed = view.has_patches() ? needs_of_frame<kOfPatches>(view, scene.camera(), screen)
+                                           : needs_of_frame<kOfMeshes>(view, scene.camera(), screen);
     if (!needed) return std::nullopt;
-    edges = std::max(edges, *needed);
+    edges = std::max(edges, needed->max_edges);
+    grid = std::max(grid, needed->max_patch_grid);
   }
   constexpr std::size_t kMostPlanes = 31, kMostLooks = 127, kMostTables = 15;
   Budget budget{.width = screen.width, .height = screen.height};
   budget.walker = Walker::edges;
-  budget.facets = static_cast<std::uint16_t>(view.face_count());
-  budget.vertices = static_cast<std::uint16_t>(view.vertex_count());
+  if (view.has_patches()) {
+    budget.facets = budget.vertices = 0;
+    budget.patch_grid = static_cast<std::uint16_t>(grid);
+  } else {
+    budget.facets = static_cast<std::uint16_t>(view.face_count());
+    budget.vertices = static_cast<std::uint16_t>(view.vertex_count());
+  }
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
   budget.planes = cache_for(view.face_count(), kMostPlanes);
@@ -127,6 +135,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
   const auto gouraud = [&] { text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false"); };
   if (budget.walker == Walker::edges) {
     field("edges", budget.edges);
+    field("patch_grid", budget.patch_grid);
     gouraud();
     text += ",\n    .walker = spanline::Walker::edges,\n";
     field("looks", budget.looks);

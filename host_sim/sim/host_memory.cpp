@@ -19,6 +19,7 @@ std::uint16_t* PoolSizes::find(const std::string& pool) {
   if (pool == "implied") return &implied;
   if (pool == "patch_facets") return &patch_facets;
   if (pool == "patch_vertices") return &patch_vertices;
+  if (pool == "patch_grid") return &patch_grid;
   if (pool == "curves") return &curves;
   if (pool == "strands") return &strands;
   if (pool == "layers") return &layers;
@@ -38,6 +39,7 @@ PoolSizes pools_of(const Budget& budget) {
           .layers = budget.layers,
           .patch_facets = budget.patch_facets,
           .patch_vertices = budget.patch_vertices,
+          .patch_grid = budget.patch_grid,
           .curves = budget.curves,
           .strands = budget.strands,
           .point_lines = budget.point_lines,
@@ -79,7 +81,8 @@ void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& s
   }
   if (!sizes.has(sizes.patch_facets)) return;
   storage_.patches = {take<DicedFacet>(sizes.patch_facets), take<ScreenPoint>(sizes.patch_vertices),
-                      take<Normal10>(sizes.gouraud ? sizes.patch_vertices : kNone), sizes.patch_tolerance};
+                      take<Normal10>(sizes.gouraud ? sizes.patch_vertices : kNone), sizes.patch_tolerance,
+                      storage_.patches.grid};
 }
 
 void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
@@ -91,6 +94,8 @@ void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
   walker.planes = take<CachedPlane>(sizes.planes);
   storage_.mesh.faces = take<std::uint16_t>(sizes.facets);
   storage_.mesh.levels = take<Brightness>(sizes.gouraud ? sizes.vertices : kNone);
+  storage_.patches.tolerance = sizes.patch_tolerance;
+  if (sizes.has(sizes.patch_grid)) storage_.patches.grid = take<GridVertex>(sizes.patch_grid);
 }
 
 void HostMemory::take_curve_pools(const Screen& screen, std::uint16_t band_lines, const PoolSizes& sizes) {

@@ -13,8 +13,8 @@ namespace spanline::host {
 
 struct PoolSizes {
   std::uint16_t facets = 65535, vertices = 65535, polygons = 65534, edges = 65534, segments = 65534, samples = 32767,
-                implied = 32767, layers = 32767, patch_facets = 65534, patch_vertices = PatchStorage::kMostVertices,
-                curves = 65535, strands = 4096, point_lines = kMaxExtent;
+                implied = 32767, layers = 32767, patch_facets = 65534, patch_vertices = 65534,
+                patch_grid = GridVertex::kMost, curves = 65535, strands = 4096, point_lines = kMaxExtent;
   std::uint16_t patch_tolerance = 8;  // 1/16 px
   std::uint16_t active = 0;           // as Budget has it
   bool gouraud = true;                // likewise

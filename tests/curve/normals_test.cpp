@@ -56,7 +56,7 @@ PatchShape shape_of(const PatchPoints& points) {
 double worst_error(const PatchShape& shape, const NormalGrid& grid) {
   double worst = 0;
   for (std::uint32_t row = 0; row <= grid.rows; ++row) {
-    const NormalRow normals(shape, row, grid);
+    const NormalRow normals(PatchTangents(shape, grid), row);
     for (std::uint32_t column = 0; column <= grid.columns; ++column) {
       constexpr double kHair = 1e-6;
       const double u = std::clamp(static_cast<double>(column) / grid.columns, kHair, 1 - kHair);
@@ -81,16 +81,17 @@ TEST(NormalRow, TurnsRoundWithTheGrid) {
   PatchShape turned;
   for (int i = 0; i < 16; ++i) turned.at[i / 4][i % 4] = shape.at[i % 4][3 - i / 4];
   for (std::uint32_t i = 0; i <= 8; ++i) {
-    const Vector n = vector_of(NormalRow(shape, i, {8, 8}).at(3)), m = vector_of(NormalRow(turned, 5, {8, 8}).at(i));
+    const Vector n = vector_of(NormalRow(PatchTangents(shape, {8, 8}), i).at(3)),
+                 m = vector_of(NormalRow(PatchTangents(turned, {8, 8}), 5).at(i));
     EXPECT_LT(degrees_between(n, m), 0.5);
   }
 }
 
 TEST(NormalRow, IsDefinedWhereThereIsNone) {
   PatchShape point{};
-  EXPECT_EQ(NormalRow(point, 3, {4, 4}).at(2).packed, Normal10::pack(0, 0, 511).packed);
+  EXPECT_EQ(NormalRow(PatchTangents(point, {4, 4}), 3).at(2).packed, Normal10::pack(0, 0, 511).packed);
   for (int i = 0; i < 16; ++i) point.at[i / 4][i % 4] = {static_cast<std::int16_t>(i * 100), 0, 0};  // a line
-  EXPECT_EQ(NormalRow(point, 0, {4, 4}).at(4).packed, Normal10::pack(0, 0, 511).packed);
+  EXPECT_EQ(NormalRow(PatchTangents(point, {4, 4}), 0).at(4).packed, Normal10::pack(0, 0, 511).packed);
 }
 
 }  // namespace

@@ -56,6 +56,35 @@ TEST(PatchInvariance, PatchesAmongMeshes) {
 
 TEST(PatchInvariance, ThroughTheNearPlane) { expect_same_in_views(teapot_scene(MeshShading::gouraud), 4, 6, 0.01); }
 
+// The teapot culled.
+host::CompiledScene culled_teapot() {
+  return scene_of(
+      R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"flat"}],"instances":[{"mesh":"p","cull":true}],)"
+      R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})");
+}
+
+TEST(PatchInvariance, TheEdgeWalkerDrawsTheSame) {
+  Random random(7);
+  host::CompiledScene scene = culled_teapot();
+  for (int view = 0; view < 30 && !testing::Test::HasFailure(); ++view) {
+    look_from_anywhere(scene, random, 0.6 + random.below(100) / 100.0);
+    EngineOptions segments;
+    segments.walker = Walker::segments;
+    const Rendering by_segments = render(scene, segments);
+    for (const int grid : {8191, static_cast<int>(random.between(600, 1500))}) {
+      EngineOptions edges;
+      edges.walker = Walker::both;
+      edges.pools.patch_grid = static_cast<std::uint16_t>(grid);
+      edges.pools.facets = 0;  // nothing to fall back on
+      const Rendering by_edges = render(scene, edges);
+      ASSERT_TRUE(by_edges.status.ok()) << "view " << view << ": " << by_edges.status.where << ", grid " << grid;
+      EXPECT_EQ(by_segments.picture.rgb, by_edges.picture.rgb) << "view " << view << ", grid " << grid;
+      EXPECT_EQ(by_segments.ids, by_edges.ids) << "view " << view;
+      EXPECT_EQ(by_segments.depth, by_edges.depth) << "view " << view;
+    }
+  }
+}
+
 TEST(PatchInvariance, OneLineThatDoesNotFitIsReported) {
   const host::CompiledScene scene = teapot_scene(MeshShading::flat);
   for (const char* pool : {"patch_facets", "patch_vertices", "facets"}) {

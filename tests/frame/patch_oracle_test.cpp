@@ -33,7 +33,7 @@ struct Facets {
 Facets facets_of(const SceneView& scene, const CameraRecord& camera, const Screen& screen) {
   std::vector<DicedFacet> facets(32768);
   std::vector<ScreenPoint> vertices(32768), sink(1);
-  PatchSource patches({{facets.data(), 32767}, {vertices.data(), 32767}, {}, 8}, screen);
+  PatchSource patches({{facets.data(), 32767}, {vertices.data(), 32767}, {}, 8, {}}, screen);
   FacetReader reader(scene, camera, screen, {sink.data(), 0});
   const LightRig lights{};
   const MaterialRecord unlit{{}, MaterialRecord::kUnlit};

@@ -33,13 +33,15 @@ PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&p
 GridRow PatchDicer::next_row() {
   CHECK(row_ <= rows_);
   GridRow row;
-  for (int j = 0; j < 4; ++j) {
-    Curve column;
-    take_column(*patch_, j, column);
-    row.control[j] = curve_point(column, row_, rows_);  // the control points themselves at both ends
-    if (j == 0) row.left = curve_point(column, side_vertex(row_, own_left_, rows_), own_left_);
-    if (j == 3) row.right = curve_point(column, side_vertex(row_, own_right_, rows_), own_right_);
-  }
+  const auto& p = patch_->at;
+  const CurveParameter here(row_, rows_);  // gives the control points themselves at both ends
+  for (int j = 0; j < 4; ++j) row.control[j] = here.of(p[0][j], p[1][j], p[2][j], p[3][j]);
+  const auto side = [&](int j, std::uint32_t own) {
+    if (own == rows_) return row.control[j];
+    return CurveParameter(side_vertex(row_, own, rows_), own).of(p[0][j], p[1][j], p[2][j], p[3][j]);
+  };
+  row.left = side(0, own_left_);
+  row.right = side(3, own_right_);
   if (row_ == 0) row.own = own_first_;
   if (row_ == rows_) row.own = own_last_;
   ++row_;

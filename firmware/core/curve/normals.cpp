@@ -1,10 +1,11 @@
 #include "core/curve/normals.hpp"
 
 #include <bit>
+#include <utility>
 
 #include "core/base/check.hpp"
 #include "core/fx/bits.hpp"
-#include "core/fx/root.hpp"
+#include "core/fx/inverse_root.hpp"
 
 namespace spanline {
 namespace {
@@ -65,42 +66,52 @@ int bits_beside(std::uint32_t steps) {
   const int bits = 30 - 3 * static_cast<int>(std::bit_width(steps - 1));
   return bits < kDirectionBits ? bits : kDirectionBits;
 }
-static_assert(30 - 3 * std::bit_width(NormalGrid::kMostSteps - 1) == 9);
+static_assert(30 - 3 * std::bit_width(NormalGrid::kMostSteps - 1) == 9 && kDirectionBits < 16);
 
-template <std::size_t N>
-Vector blend(const Vector* const (&points)[N], const std::int32_t (&weights)[N]) {
-  Vector sum{};
-  for (std::size_t i = 0; i < N; ++i) {
-    for (int c = 0; c < 3; ++c) sum.v[c] += weights[i] * points[i]->v[c];
+template <typename V, std::size_t N>
+Vector blend(const V* const (&points)[N], const std::int32_t (&weights)[N]) {
+  return [&]<std::size_t... kI>(std::index_sequence<kI...>) {
+    const auto component = [&](int c) { return (... + (weights[kI] * points[kI]->v[c])); };
+    return Vector{{component(0), component(1), component(2)}};
   }
-  return sum;
+  (std::make_index_sequence<N>());
 }
 
 Normal10 pack(const Vector& normal) {
-  const Vector n = direction(normal);
-  const auto square = static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]);
-  const auto length = static_cast<std::int32_t>(square_root(square));
-  const auto component = [&](int i) { return round_div(n.v[i] * 511, length); };
+  const Vector n = direction(normal);  // its square is below 2^30
+  const InverseRoot inverse(static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]));
+  const auto scale = static_cast<std::int32_t>(inverse.factor * 511 >> 9);  // at most 2^16
+  const auto component = [&](int i) { return shift_round(n.v[i] * scale, 31 - 9 - inverse.up); };
   return Normal10::pack(component(0), component(1), component(2));
 }
 
 }  // namespace
 
-NormalRow::NormalRow(const PatchShape& patch, std::uint32_t row, const NormalGrid& grid) : row_(row), grid_(grid) {
-  CHECK(row <= grid.rows && grid.rows <= NormalGrid::kMostSteps && grid.columns <= NormalGrid::kMostSteps);
-  const Weights weights(row, grid.rows);
+PatchTangents::PatchTangents(const PatchShape& patch, const NormalGrid& grid) : grid_(grid) {
+  CHECK(grid.rows <= NormalGrid::kMostSteps && grid.columns <= NormalGrid::kMostSteps);
   const int bits = bits_beside(grid.rows);
-  Vector u[12], v[12];  // differences of neighbours in a row, and in a column
-  for (int i = 0; i < 12; ++i) {
-    u[i] = difference(patch.at[i / 3][i % 3], patch.at[i / 3][i % 3 + 1]);
-    v[i] = difference(patch.at[i / 4][i % 4], patch.at[i / 4 + 1][i % 4]);
-  }
-  shorten(u, bits);
-  shorten(v, bits);
+  Vector differences[12];
+  const auto keep = [&](Short(&out)[12]) {
+    shorten(differences, bits);
+    for (int i = 0; i < 12; ++i) {
+      for (int c = 0; c < 3; ++c) out[i].v[c] = static_cast<std::int16_t>(differences[i].v[c]);
+    }
+  };
+  for (int i = 0; i < 12; ++i) differences[i] = difference(patch.at[i / 3][i % 3], patch.at[i / 3][i % 3 + 1]);
+  keep(along_);
+  for (int i = 0; i < 12; ++i) differences[i] = difference(patch.at[i / 4][i % 4], patch.at[i / 4 + 1][i % 4]);
+  keep(across_);
+}
+
+NormalRow::NormalRow(const PatchTangents& patch, std::uint32_t row) : row_(row), grid_(patch.grid_) {
+  CHECK(row <= grid_.rows);
+  const Weights weights(row, grid_.rows);
+  const auto& u = patch.along_;
+  const auto& v = patch.across_;
   for (int j = 0; j < 3; ++j) along_[j] = blend({&u[j], &u[3 + j], &u[6 + j], &u[9 + j]}, weights.cubic);
   for (int j = 0; j < 4; ++j) across_[j] = blend({&v[j], &v[4 + j], &v[8 + j]}, weights.quadratic);
-  shorten(along_, bits_beside(grid.columns));
-  shorten(across_, bits_beside(grid.columns));
+  shorten(along_, bits_beside(grid_.columns));
+  shorten(across_, bits_beside(grid_.columns));
 }
 
 Normal10 NormalRow::at(std::uint32_t column) const {

@@ -22,11 +22,25 @@ struct NormalGrid {
   std::uint32_t rows, columns;  // 1 … kMostSteps
 };
 
+// The tangents' control points of a patch.
+class PatchTangents {
+ public:
+  PatchTangents(const PatchShape& patch, const NormalGrid& grid);
+
+ private:
+  friend class NormalRow;
+  struct Short {  // 14 bits a component
+    std::int16_t v[3];
+  };
+  NormalGrid grid_;
+  Short along_[12], across_[12];  // differences of neighbours in a row, and in a column
+};
+
 // The tangents' control points along one row of a grid.
 class NormalRow {
  public:
-  // row <= grid.rows.
-  NormalRow(const PatchShape& patch, std::uint32_t row, const NormalGrid& grid);
+  // row <= rows of the grid that the tangents were made for.
+  NormalRow(const PatchTangents& patch, std::uint32_t row);
 
   // The normal at column <= columns: on the side that sees u, v turn counter-clockwise. Where one
   // tangent vanishes on the patch's rim, as at a pole, it is what the normals beside it tend to. (0, 0, 511) where the

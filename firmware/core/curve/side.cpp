@@ -13,26 +13,29 @@ std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
 // At least the length of (a, b), and at most 1.12 of it.
 std::int64_t octagon(std::int64_t a, std::int64_t b) { return a > b ? a + b / 2 : b + a / 2; }
 
-// 1 / n^3 as factor / 2^(31 + shift), factor in (2^30, 2^31].
+// 1 / n^3 as factor / 2^(30 + shift), factor in [2^30, 2^31).
 struct Cube {
-  std::uint32_t factor;
+  std::int32_t factor;
   std::uint8_t shift;
 };
 constexpr auto kCubes = [] {
   std::array<Cube, kMaxSteps + 1> cubes{};
-  for (std::uint32_t n = 1; n <= kMaxSteps; ++n) {
+  for (std::uint32_t n = 2; n <= kMaxSteps; ++n) {
     const std::uint32_t cube = n * n * n;
-    const int shift = 31 - std::countl_zero(cube);
-    const std::uint64_t factor = ((std::uint64_t{1} << (31 + shift)) + cube / 2) / cube;
-    cubes[n] = {static_cast<std::uint32_t>(factor), static_cast<std::uint8_t>(shift)};
+    const auto shift = static_cast<int>(std::bit_width(cube - 1));
+    const std::uint64_t factor = ((std::uint64_t{1} << (30 + shift)) + cube / 2) / cube;
+    cubes[n] = {static_cast<std::int32_t>(factor), static_cast<std::uint8_t>(shift)};
   }
   return cubes;
 }();
+static_assert(kCubes[2].factor == 1 << 30 && kCubes[kMaxSteps].shift <= 18);
 
-// n^3 * v to v, rounded twice: |scaled >> shift| < 2^32, so the product stays within 63 bits.
-std::int32_t divided_by_cube(std::int64_t scaled, std::uint32_t n) {
-  const Cube cube = kCubes[n];
-  return saturate32(shift_round((scaled >> cube.shift) * std::int64_t{cube.factor}, 31));
+// n^3 * v to v, rounded twice; n at least 2. n^3 <= 2^shift, so the first quotient is no longer than v.
+std::int32_t divided_by_cube(std::int64_t scaled, const Cube& cube) {
+  const auto sum = static_cast<std::uint64_t>(scaled) + (std::uint32_t{1} << (cube.shift - 1));
+  const std::uint32_t quotient = static_cast<std::uint32_t>(sum) >> cube.shift | static_cast<std::uint32_t>(sum >> 32)
+                                                                                     << (32 - cube.shift);
+  return saturate32(shift_round(std::int64_t{static_cast<std::int32_t>(quotient)} * cube.factor, 30));
 }
 
 // The differences of n^3 * f at steps of 1 / n.
@@ -74,19 +77,25 @@ std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view) {
   return square <= 1 ? 1 : square_root(static_cast<std::uint32_t>(square) - 1) + 1;
 }
 
-// n^3 * B(i / n) as a sum; its weights add up to n^3.
-ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps) {
+CurveParameter::CurveParameter(std::uint32_t index, std::uint32_t steps) : steps_(steps) {
   CHECK(index <= steps && steps >= 1 && steps <= kMaxSteps);
-  if (index == 0) return p[0];
-  if (index == steps) return p[3];
   const auto i = static_cast<std::int32_t>(index), rest = static_cast<std::int32_t>(steps - index);
-  const std::int32_t weights[4] = {rest * rest * rest, 3 * rest * rest * i, 3 * rest * i * i, i * i * i};
-  const auto at = [&](std::int32_t ClipPoint::*axis) {
-    std::int64_t sum = 0;
-    for (int k = 0; k < 4; ++k) sum += std::int64_t{weights[k]} * (p[k].*axis);
-    return divided_by_cube(sum, steps);
+  weight_[0] = rest * rest * rest;
+  weight_[1] = 3 * rest * rest * i;
+  weight_[2] = 3 * rest * i * i;
+  weight_[3] = i * i * i;
+}
+
+ClipPoint CurveParameter::of(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3) const {
+  if (weight_[3] == 0) return p0;
+  if (weight_[0] == 0) return p3;
+  const Cube& cube = kCubes[steps_];
+  const auto at = [&](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+    const std::int64_t sum = std::int64_t{weight_[0]} * a + std::int64_t{weight_[1]} * b +
+                             std::int64_t{weight_[2]} * c + std::int64_t{weight_[3]} * d;
+    return divided_by_cube(sum, cube);
   };
-  return {at(&ClipPoint::x), at(&ClipPoint::y), at(&ClipPoint::w)};
+  return {at(p0.x, p1.x, p2.x, p3.x), at(p0.y, p1.y, p2.y, p3.y), at(p0.w, p1.w, p2.w, p3.w)};
 }
 
 SideWalk::SideWalk(const ClipPoint (&p)[4], std::uint32_t steps)
@@ -102,8 +111,9 @@ SideWalk::SideWalk(const ClipPoint (&p)[4], std::uint32_t steps)
 ClipPoint SideWalk::at() const {
   if (index_ == 0) return first_;
   if (index_ == steps_) return last_;
-  return {divided_by_cube(x_.b0.value(), steps_), divided_by_cube(y_.b0.value(), steps_),
-          divided_by_cube(w_.b0.value(), steps_)};
+  const Cube& cube = kCubes[steps_];
+  return {divided_by_cube(x_.b0.value(), cube), divided_by_cube(y_.b0.value(), cube),
+          divided_by_cube(w_.b0.value(), cube)};
 }
 
 void SideWalk::step() {

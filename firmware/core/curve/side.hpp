@@ -29,8 +29,22 @@ struct DiceView {
 // the curve run backwards.
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view);
 
-// A curve's point at t = index / steps, the one that SideWalk steps to.
-ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps);
+// t = index / steps: of the point there of any number of curves. n^3 * B(i / n) is a sum with weights that add up to
+// n^3.
+class CurveParameter {
+ public:
+  // index <= steps, 1 <= steps <= kMaxSteps.
+  CurveParameter(std::uint32_t index, std::uint32_t steps);
+  // The point of the curve with these control points that SideWalk steps to.
+  ClipPoint of(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3) const;
+
+ private:
+  std::int32_t weight_[4];
+  std::uint32_t steps_;
+};
+inline ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps) {
+  return CurveParameter(index, steps).of(p[0], p[1], p[2], p[3]);
+}
 
 // Steps off the points of a curve at t = i / n exactly: the registers hold n^3 times the coordinate, an integer, so
 // that the point is the same number seen from either end. What comes out is rounded once, by a rule that sees that

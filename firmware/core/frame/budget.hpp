@@ -26,8 +26,10 @@ struct Budget {
   std::uint16_t samples = 64;    // sample points kept for the next line (a hint: dropped when full)
   std::uint16_t implied = 16;    // implied edges kept (a hint)
   // Where the scene has patches (FrameOptions::patches):
-  std::uint16_t patch_facets = 0;     // of the facets that wait, those of patches: 8 bytes each, more
-  std::uint16_t patch_vertices = 0;   // their corners and two rows of a patch's grid: 8 bytes each, 4 more with gouraud
+  std::uint16_t patch_facets = 0;    // of the facets that wait, those of patches: 8 bytes each, more
+  std::uint16_t patch_vertices = 0;  // their corners and two rows of a patch's grid: 8 bytes each, 4 more with gouraud
+  std::uint16_t patch_grid = 0;      // with the edge walker, which takes no other of these: vertices of grids, 12 bytes
+                                     // each, and one more a patch
   std::uint16_t patch_tolerance = 8;  // 1/16 px that an edge of a facet may be off the patch: 8 is half a pixel
   // The other way of drawing them (FrameOptions::points): as points, into a band of so many lines at most, 4 bytes a
   // pixel; 0: they are diced.

@@ -12,7 +12,7 @@ using FrameOptions = VsgOptions;
 // The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
   const bool points = budget.point_lines != 0;
-  return {.patches = points || budget.patch_facets != 0,
+  return {.patches = points || budget.patch_facets != 0 || budget.patch_grid != 0,
           .points = points,
           .layers = budget.layers != 0,
           .walker = budget.walker};
@@ -119,8 +119,8 @@ class Frame {
   PoolRef<WaitingFacet> facets_;
   PoolRef<std::uint16_t> buckets_;
   PoolRef<ScreenPoint> cache_;
-  [[no_unique_address]] std::conditional_t<kOptions.walker == Walker::both, MeshLines<kOptions.taps>, NoMeshLines>
-      mesh_;
+  using Lines = std::conditional_t<kDices, EdgeLines<kOptions.taps>, MeshLines<kOptions.taps>>;
+  [[no_unique_address]] std::conditional_t<kOptions.walker == Walker::both, Lines, NoMeshLines> mesh_;
   SmoothCache smooth_;
   SceneView scene_;
   CameraRecord camera_{};
@@ -142,12 +142,16 @@ class Frame {
   std::uint16_t bands_ = 0, most_facets_ = 0, vertices_ = 0;
 };
 
-// With the edge walker alone.
+// With the edge walker alone: scenes of meshes, or with FrameOptions::patches of patches.
 template <FrameOptions kOptions>
-requires(kOptions.walker == Walker::edges) class Frame<kOptions>
-    : public MeshFrame<kOptions.taps, kOptions.statistics> {
+using EdgeFrame = MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshLines<kOptions.taps>>,
+                            kOptions.statistics>;
+template <FrameOptions kOptions>
+requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
+  using Base = EdgeFrame<kOptions>;
+
  public:
-  using MeshFrame<kOptions.taps, kOptions.statistics>::MeshFrame;
+  using Base::Base;
 };
 
 }  // namespace spanline

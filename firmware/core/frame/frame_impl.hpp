@@ -3,6 +3,7 @@
 
 #include "core/frame/frame.hpp"
 #include "core/frame/mesh_lines_impl.hpp"
+#include "core/frame/patch_lines_impl.hpp"
 
 namespace spanline {
 

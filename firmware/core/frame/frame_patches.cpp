@@ -3,5 +3,7 @@
 namespace spanline {
 
 template class Frame<FrameOptions{.patches = true}>;
+template class Frame<FrameOptions{.patches = true, .walker = Walker::edges}>;
+template class Frame<FrameOptions{.patches = true, .walker = Walker::both}>;
 
 }  // namespace spanline

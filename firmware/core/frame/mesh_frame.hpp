@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/mesh_lines.hpp"
+#include "core/frame/edge_lines.hpp"
 #include "core/vsg/statistics.hpp"
 
 namespace spanline {
@@ -12,10 +12,10 @@ inline bool takes_line(Slice<std::uint8_t> out, std::uint32_t bytes) {
 }
 Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line);
 
-// What a Frame is with the edge walker alone: to be used as every Frame. Scenes that the walker cannot draw are refused
-// by prepare() with the status of MeshLines::begin(); a line for which a pool is too small ends the band, and status()
-// names the pool. prepare() returns all of `rest`.
-template <bool kTaps, bool kStatistics>
+// What a Frame is with the edge walker alone, for meshes (MeshLines) or for patches: to be used as every Frame. Scenes
+// that the walker cannot draw are refused by prepare() with the status of MeshLines::begin(); a line for which a pool
+// is too small ends the band, and status() names the pool. prepare() returns all of `rest`.
+template <typename Lines, bool kStatistics>
 class MeshFrame {
  public:
   explicit MeshFrame(const FrameStorage& storage)
@@ -27,10 +27,10 @@ class MeshFrame {
   bool next_line(Slice<std::uint8_t> out);
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
   const Status& status() const { return status_; }
-  // max_edges is all that is counted.
+  // What Lines count.
   Counters<kStatistics> statistics() const {
     Counters<kStatistics> s;
-    if constexpr (kStatistics) s.max_edges = mesh_.most_edges();
+    if constexpr (kStatistics) mesh_.count(s);
     return s;
   }
   void set_tap(const SpanTap& tap) { tap_ = tap; }
@@ -42,7 +42,7 @@ class MeshFrame {
   }
 
   Screen screen_;
-  MeshLines<kTaps> mesh_;
+  Lines mesh_;
   Painter painter_;
   CurveLayer curves_;
   [[no_unique_address]] SpanTap tap_;
@@ -50,8 +50,8 @@ class MeshFrame {
   Band band_;
 };
 
-template <bool kTaps, bool kStatistics>
-Band MeshFrame<kTaps, kStatistics>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
+template <typename Lines, bool kStatistics>
+Band MeshFrame<Lines, kStatistics>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
   if (rest.top == 0) status_ = {};
   band_ = {};
   Status status = check_band(rest, screen_);
@@ -66,8 +66,8 @@ Band MeshFrame<kTaps, kStatistics>::prepare(const SceneView& scene, const Camera
   return band_;
 }
 
-template <bool kTaps, bool kStatistics>
-bool MeshFrame<kTaps, kStatistics>::next_line(Slice<std::uint8_t> out) {
+template <typename Lines, bool kStatistics>
+bool MeshFrame<Lines, kStatistics>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
   if (!takes_line(out, line_bytes())) return end(line_refused(out, line_bytes(), band_.top));
   painter_.begin_line(band_.top, out.data());
@@ -77,8 +77,8 @@ bool MeshFrame<kTaps, kStatistics>::next_line(Slice<std::uint8_t> out) {
   return true;
 }
 
-template <bool kTaps, bool kStatistics>
-bool MeshFrame<kTaps, kStatistics>::end(const Status& status) {
+template <typename Lines, bool kStatistics>
+bool MeshFrame<Lines, kStatistics>::end(const Status& status) {
   note(status);
   band_ = {};
   return false;

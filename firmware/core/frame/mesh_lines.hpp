@@ -8,6 +8,7 @@
 #include "core/shade/light.hpp"
 #include "core/shade/painter.hpp"
 #include "core/shade/smooth_brush.hpp"
+#include "core/vsg/statistics.hpp"
 
 namespace spanline {
 
@@ -63,7 +64,7 @@ class MeshLines {
   // walker cannot draw the scene: the status says which record, or which pool is too small.
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
   bool ready() const { return ready_; }
-  std::uint32_t most_edges() const { return walker_.most_edges(); }  // see Budget::edges
+  void count(Statistics& s) const { s.max_edges = walker_.most_edges(); }  // see Budget::edges
   const SceneRecord& scene() const { return scene_.scene(); }
 
   // Renders the line after the last, where ready. False where a pool is too small, and it is not ready any more; what

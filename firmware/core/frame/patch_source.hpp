@@ -2,40 +2,34 @@
 #pragma once
 
 #include "core/base/pool.hpp"
-#include "core/curve/dice.hpp"
-#include "core/curve/normals.hpp"
-#include "core/geom/facet.hpp"
-#include "core/shade/light.hpp"
+#include "core/frame/patch_grids.hpp"
 
 namespace spanline {
 
-// A facet of a patch. Corners lie beside each other in the vertex pool, so that two numbers name all four.
+// A facet of a patch: a cell of its grid, or a triangle of one (CellParts). Corners lie beside each other in the vertex
+// pool, so that two numbers name all four.
 struct DicedFacet {
-  std::uint16_t above;        // the first corner; the second follows it
-  std::uint16_t below : 15;   // the fourth corner; the third follows it
-  std::uint16_t clipped : 1;  // a plane of the view cut the facet: `below` corners follow each other from `above` on
-  std::uint16_t part;         // its number within the patch, the same in every band
-  std::uint16_t payload;      // its colour, where it is flat
+  enum Kind : std::uint8_t {
+    kQuad,     // above, above + 1, below + 1, below
+    kUpper,    // the first three of these
+    kLower,    // the first and the last two
+    kClipped,  // a plane of the view cut the cell: `below` corners follow each other from `above` on
+  };
+  std::uint16_t above;
+  std::uint16_t below;
+  std::uint16_t part : 13;  // its number within the patch, the same in every band
+  std::uint16_t kind : 2;
+  std::uint16_t payload;  // its colour, where it is flat
 };
 static_assert(sizeof(DicedFacet) == 8);
 
 // The pools, erased.
 struct PatchStorage {
-  static constexpr std::uint16_t kMostVertices = 32767;  // DicedFacet::below
-
   PoolRef<DicedFacet> facets;
   PoolRef<ScreenPoint> vertices;  // of the facets; two rows of the patch in the making stand at the end
   PoolRef<Normal10> normals;      // as many as vertices, or none: Gouraud patches are flat then
   std::uint32_t tolerance = 8;    // 1/16 px that a chord may be off its curve, at least 1
-};
-
-// What a patch looks like.
-struct PatchLook {
-  const LightRig* lights;
-  const MaterialRecord* material;
-  PixelFormat format;
-  bool gouraud;    // keep normals, not colours
-  bool two_sided;  // keep backs
+  PoolRef<GridVertex> grid{};     // the edge walker's
 };
 
 class PatchSource {
@@ -90,28 +84,37 @@ class PatchSource {
 
  private:
   struct Row;
-  struct Job;
+  // The facets of a strip, a bit a column.
+  struct Parts {
+    std::uint64_t quads = 0, upper = 0, lower = 0;
+    std::uint64_t any() const { return quads | upper | lower; }
+  };
 
-  static std::uint32_t corner_count(const DicedFacet& facet) { return facet.clipped != 0 ? facet.below : 4u; }
+  static std::uint32_t corner_count(const DicedFacet& facet) {
+    return facet.kind == DicedFacet::kClipped ? facet.below : facet.kind == DicedFacet::kQuad ? 4u : 3u;
+  }
   static std::size_t corner(const DicedFacet& facet, std::uint32_t i) {
-    return facet.clipped != 0 || i < 2 ? facet.above + i : facet.below + 3 - i;
+    if (facet.kind == DicedFacet::kLower && i > 0) ++i;
+    return facet.kind == DicedFacet::kClipped || i < 2 ? facet.above + i : std::size_t{facet.below} + 3 - i;
   }
 
   static DicedFacet facet_at(const Row& above, std::uint16_t above_at, std::uint16_t below_at, std::uint32_t column);
-  bool dice_rows(Job& job);
-  void step_off(const Job& job, Row& row);
-  bool seen(const Job& job, const DicedFacet& facet) const;
-  bool strip(const Job& job, Row& above, Row& below);
-  bool add_whole(const Job& job, Row& above, Row& below, std::uint64_t columns);
-  bool keep_row(const Job& job, Row& row, std::uint32_t first, std::uint32_t end);
-  bool take_vertices(const Job& job, std::uint32_t count);
+  bool dice_rows(PatchJob& job);
+  void step_off(const PatchJob& job, Row& row);
+  bool reaches(const PatchJob& job, const DicedFacet& facet) const;
+  bool seen_clipped(const PatchJob& job, const DicedFacet& facet) const;
+  void note_parts(const PatchJob& job, DicedFacet cell, std::uint64_t bit, Parts& whole) const;
+  bool strip(const PatchJob& job, Row& above, Row& below);
+  bool add_whole(const PatchJob& job, Row& above, Row& below, const Parts& parts);
+  bool keep_row(const PatchJob& job, Row& row, std::uint32_t first, std::uint32_t end);
+  bool take_vertices(const PatchJob& job, std::uint32_t count);
   bool add(const DicedFacet& facet);
   [[gnu::noinline]]  // the clipper's 500 bytes stay off the stack of the common path
   bool
-  add_cut(const Job& job, const Row& above, const Row& below, std::uint32_t column);
-  std::uint32_t clip(const Job& job, const Row& above, const Row& below, std::uint32_t column);
-  static void take_corners(const Job& job, const Row& row, std::uint32_t column, ClipVertex& a, ClipVertex& b);
-  void colour(const Job& job, std::uint32_t row, std::uint16_t first);
+  add_cut(const PatchJob& job, const Row& above, const Row& below, std::uint32_t column);
+  std::uint32_t clip(const PatchJob& job, const Row& above, const Row& below, std::uint32_t column);
+  static void take_corners(const PatchJob& job, const Row& row, std::uint32_t column, ClipVertex& a, ClipVertex& b);
+  void colour(const PatchJob& job, std::uint32_t row, std::uint16_t first);
   bool lacks_facet();
   bool lacks_vertices(std::uint32_t count);
   bool lacks(const Shortage& pool, std::uint32_t count);

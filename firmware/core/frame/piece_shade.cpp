@@ -71,7 +71,7 @@ void PieceShade::light_flat(const ScreenPiece& piece, const PatchShape& shape, c
   const std::uint32_t along_v = piece.turned ? cells_[1] : cells_[0], along_u = piece.turned ? cells_[0] : cells_[1];
   for (std::uint32_t i = 0; i < along_v; ++i) {
     const Place v = place(piece.v, 2 * i + 1, levels_of(along_v) + 1);
-    const NormalRow normals(shape, v.at, {v.of, place(piece.u, 0, levels_of(along_u) + 1).of});
+    const NormalRow normals(PatchTangents(shape, {v.of, place(piece.u, 0, levels_of(along_u) + 1).of}), v.at);
     for (std::uint32_t j = 0; j < along_u; ++j) {
       const Normal10 normal = normals.at(place(piece.u, 2 * j + 1, levels_of(along_u) + 1).at);
       for (int s = 0; s < 2; ++s) {
@@ -87,7 +87,7 @@ void PieceShade::light_corners(const ScreenPiece& piece, const PatchShape& shape
   const std::uint32_t along_v = piece.turned ? cells_[1] : cells_[0], along_u = piece.turned ? cells_[0] : cells_[1];
   for (std::uint32_t i = 0; i <= along_v; ++i) {
     const Place v = place(piece.v, i, levels_of(along_v));
-    const NormalRow normals(shape, v.at, {v.of, place(piece.u, 0, levels_of(along_u)).of});
+    const NormalRow normals(PatchTangents(shape, {v.of, place(piece.u, 0, levels_of(along_u)).of}), v.at);
     for (std::uint32_t j = 0; j <= along_u; ++j) {
       const Normal10 normal = normals.at(place(piece.u, j, levels_of(along_u)).at);
       for (int s = 0; s < 2; ++s) {

@@ -5,6 +5,7 @@
 
 #include "core/frame/budget.hpp"
 #include "core/frame/curve_overlay.hpp"
+#include "core/frame/patch_grids.hpp"
 #include "core/frame/patch_source.hpp"
 #include "core/frame/point_source.hpp"
 #include "core/shade/brightness.hpp"
@@ -109,7 +110,6 @@ class PointPools<0> {
 template <Budget kBudget>
 class SegmentPools {
   static_assert(kBudget.facets > 0 && kBudget.polygons > 0 && kBudget.segments > 0, "these pools cannot be empty");
-  static_assert(kBudget.patch_vertices <= PatchStorage::kMostVertices, "Budget::patch_vertices is out of range");
   static_assert(kBudget.patch_tolerance > 0, "Budget::patch_tolerance is out of range");
   static constexpr std::uint16_t kBandLines = kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines;
 
@@ -152,6 +152,10 @@ template <Budget kBudget>
 class MeshPools {
  public:
   void add_to(FrameStorage& storage) {
+    if constexpr (kBudget.patch_grid != 0) {
+      storage.patches.grid = grid_.ref();
+      storage.patches.tolerance = kBudget.patch_tolerance;
+    }
     storage.mesh = {{points_.ref(), links_.ref(), buckets_.ref(), {edges_[0].ref(), edges_[1].ref()}, planes_.ref()},
                     faces_.ref(),
                     levels_.ref()};
@@ -165,6 +169,8 @@ class MeshPools {
   Pool<ActiveEdge, kBudget.edges> edges_[2];
   Pool<CachedPlane, kBudget.planes> planes_;
   Pool<Brightness, kBudget.gouraud ? kBudget.vertices : 0> levels_;
+  struct NoGrid {};
+  [[no_unique_address]] std::conditional_t<kBudget.patch_grid != 0, Pool<GridVertex, kBudget.patch_grid>, NoGrid> grid_;
 };
 
 struct NoPools {
@@ -178,6 +184,7 @@ template <Budget kBudget>
 class FrameMemory {
   static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
   static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
+  static_assert(kBudget.patch_grid <= GridVertex::kMost, "Budget::patch_grid is out of range");
 
  public:
   FrameStorage storage() {

@@ -34,13 +34,16 @@ struct Columns {
 // rule.
 constexpr std::int32_t first_centre(std::int32_t v) { return (v + 7) >> 4; }
 
-// Whether a triangle runs counter-clockwise to the eye (y points down, so its doubled signed area is negative). Points
-// of the guard band: the area is below 2^31, whatever its terms are.
-constexpr bool is_front(ScreenXY a, ScreenXY b, ScreenXY c) {
+// Doubled signed area of a triangle; y points down, so it is negative where the triangle runs counter-clockwise to the
+// eye. Points of the guard band: it is below 2^31, whatever its terms are.
+constexpr std::int32_t doubled_area(ScreenXY a, ScreenXY b, ScreenXY c) {
   const auto product = [](std::int32_t p, std::int32_t q) {
     return static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(q);
   };
-  return static_cast<std::int32_t>(product(b.x - a.x, c.y - a.y) - product(c.x - a.x, b.y - a.y)) < 0;
+  return static_cast<std::int32_t>(product(b.x - a.x, c.y - a.y) - product(c.x - a.x, b.y - a.y));
 }
+
+// Whether a triangle runs counter-clockwise to the eye.
+constexpr bool is_front(ScreenXY a, ScreenXY b, ScreenXY c) { return doubled_area(a, b, c) < 0; }
 
 }  // namespace spanline

@@ -5,6 +5,10 @@ namespace spanline {
 void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
   cursor_ = InstanceCursor(scene);
   buckets_.clear(top, screen_.height);
+  begin();
+}
+
+void EdgeWalker::begin() {
   planes_.clear();
   alive_ = most_ = 0;
 }

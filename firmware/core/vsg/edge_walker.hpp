@@ -60,7 +60,23 @@ class EdgeWalker {
   // those where others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces
   // cover a pixel than the overlap set holds: from there on spans of several faces are left out.
   template <typename Sink, typename Plane>
-  bool walk(std::int32_t line, const Sink& sink, const Plane& plane);
+  bool walk(std::int32_t line, const Sink& sink, const Plane& plane) {
+    return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
+  }
+
+  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() with the edges that
+  // feed(add) hands to add(top, bottom, begins, ends), the faces to the right and to the left of an edge that runs
+  // down.
+  void begin();
+  template <typename Feed>
+  bool start_fed(std::int32_t line, const Feed& feed);
+  // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&), where there is such a thing,
+  // is the face that is nearer than every other one wherever both are, or 0 where that takes planes:
+  // sink.front_alone(left, right, FaceId) gets it.
+  template <typename Sink, typename Plane, typename Again>
+  bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  // Forgets the planes made so far.
+  void forget_planes() { planes_.clear(); }
 
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
   std::uint32_t edge_capacity() const { return edges_[0].capacity(); }
@@ -136,6 +152,43 @@ bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
   return true;
 }
 
+template <typename Feed>
+bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
+  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
+  ActiveEdge* const first = &edges_[0][alive_ + 1];
+  ActiveEdge* out = first;
+  const ActiveEdge* const last = &edges_[0][edges_[0].capacity()];  // for the sentinel
+  bool room = true;
+  feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
+    if (bottom.y <= lowest || begins == ends) return;
+    if (out >= last) {
+      room = false;
+      return;
+    }
+    const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
+    EdgeRun run;
+    std::uint32_t rest = ends;
+    if (is_small(dx, dy)) [[likely]] {
+      run = start_small_run(top, dx, dy, line, first_centre(bottom.y) - line);
+    } else {
+      run = start_run(top, bottom, line);
+      if (dy > kTallEdge) rest += ActiveEdge::kTall;
+    }
+    rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
+    const ActiveEdge begun{run.x, run.dx, cover_of(begins) - cover_of(ends), rest};
+    if (out != first && out[-1].x > run.x) {
+      insert_back(first, out++, begun);
+    } else {
+      *out++ = begun;
+    }
+  });
+  if (!room) return false;
+  const auto begun = static_cast<std::uint32_t>(out - first);
+  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
+  first[-1].x = out->x = ActiveEdge::kNever;
+  return true;
+}
+
 // Shows the span of several faces that the walk has come to.
 template <typename Sink, typename Plane>
 void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
@@ -153,6 +206,10 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
   for (; fresh != walk.fresh; ++fresh) overlap_.toggle(*fresh);
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) return;
+  if constexpr (requires { plane.nearest(overlap_); }) {
+    const FaceId face = plane.nearest(overlap_);
+    if (face != 0) return sink.front_alone(left, right, face);
+  }
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
@@ -164,8 +221,8 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
   resolve_overlap(overlap_, left, right, ramp_of, show);
 }
 
-template <typename Sink, typename Plane>
-bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
+template <typename Sink, typename Plane, typename Again>
+bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   overlap_.clear_overflow();
   LineWalk walk;
   walk.edge = &edges_[0][0];
@@ -178,7 +235,7 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane) {
   walk.furthest = INT32_MIN;
   sink.begin(walk);
   const auto begin_again = [&] {
-    if (run_again(*walk.out, line + 1)) walk.put_out();
+    if (again(*walk.out, line + 1)) walk.put_out();
   };
   for (;;) {
     const WalkStop stop = sink.run(walk);

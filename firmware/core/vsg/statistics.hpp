@@ -25,7 +25,8 @@ struct Statistics {
   std::uint32_t points_emitted = 0;   // vertices of patches computed, over all bands
   // High-water marks of the pools.
   std::uint32_t max_facets = 0, max_vertices = 0, max_polygons = 0, max_edges = 0, max_segments = 0, max_active = 0,
-                max_samples = 0, max_implied = 0, max_layers = 0, max_patch_facets = 0, max_patch_vertices = 0;
+                max_samples = 0, max_implied = 0, max_layers = 0, max_patch_facets = 0, max_patch_vertices = 0,
+                max_patch_grid = 0;
 };
 
 // What is left of them otherwise: the comparators always have somewhere to count.

@@ -1,0 +1,251 @@
+#include "core/frame/patch_grids.hpp"
+
+#include "core/shade/pixel.hpp"
+
+namespace spanline {
+
+// A grid in the making.
+struct PatchGrids::Open {
+  std::uint16_t face;
+  std::uint32_t header = 0;  // 0: none is open
+  std::uint32_t rows = 0;
+};
+
+void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
+  top_ = top;
+  bottom_ = bottom;
+  used_ = 0;
+  v_[0].parts = CellParts::kNone;  // what lies before the first grid
+}
+
+bool PatchGrids::dice(PatchJob& job, std::uint16_t face) {
+  const std::uint16_t before = used_;
+  const PatchTangents tangents(job.shape, job.normal_grid());
+  job.tangents = &tangents;
+  Open grid{face};
+  GridRow above{};
+  ScreenBounds bounds_above;
+  for (std::uint32_t i = 0; i <= job.rows(); ++i) {
+    const GridRow below = job.dicer->next_row();
+    ScreenBounds bounds, both = bounds_above;
+    if (!job.whole) bounds = job.bounds_of(below);
+    both.widen(bounds);
+    if (i == 0 || !(job.whole || job.window.meets(both))) {
+      close(grid);
+    } else {
+      bool room = true;
+      if (grid.header == 0) {
+        grid.header = used_ + 1u;
+        grid.rows = 1;
+        room = step_off(job, above, grid.header + 1, true);
+      }
+      if (room) room = step_off(job, below, grid.header + 1 + grid.rows * (job.columns() + 1), false);
+      if (!room) {
+        used_ = before;
+        return false;
+      }
+      strip(job, grid, i - 1);
+    }
+    above = below;
+    bounds_above = bounds;
+  }
+  close(grid);
+  return true;
+}
+
+// Steps a row off to v_[at] and on. False where it has no room there.
+bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row) {
+  const std::uint32_t stride = job.columns() + 1;
+  if (at + stride > v_.capacity() + 1u) return false;
+  if (at + stride - 1 > most_) most_ = at + stride - 1;
+  const Projection& projection = job.reader.projection();
+  GridVertex* out = &v_[at];
+  job.dicer->step_off(row, [&](const ClipPoint& p) {
+    const ScreenPoint on_screen = projection.clamped(p);
+    *out++ = {on_screen.at, on_screen.depth, stride & 0x7fu, first_row, 0, CellParts::kNone, 0};
+  });
+  return true;
+}
+
+// Culls and colours the cells of the strip below the grid's last row and puts the row below it in. A row that no seen
+// cell touches is left out where it is the first.
+void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
+  const std::uint32_t stride = job.columns() + 1;
+  const std::uint32_t above = grid.header + 1 + (grid.rows - 1) * stride, below = above + stride;
+  bool any = false;
+  for (std::uint32_t i = 0; i < job.columns(); ++i) {
+    v_[above + i].parts = seen_parts(job, above + i, below + i) & 7u;
+    any = any || v_[above + i].parts != CellParts::kNone;
+  }
+  if (any) {
+    const NormalRow normals(*job.tangents, 2 * row + 1);
+    for (std::uint32_t i = 0; i < job.columns(); ++i) {
+      GridVertex& vertex = v_[above + i];
+      if (vertex.parts == CellParts::kNone) continue;
+      vertex.color =
+          flat_payload(job.look.format, job.look.lights->shade(normals.at(2 * i + 1), *job.look.material, false));
+    }
+  } else if (grid.rows == 1) {
+    for (std::uint32_t i = 0; i < stride; ++i) {
+      v_[above + i] = v_[below + i];
+      v_[above + i].first_row = 1;
+    }
+    return;
+  }
+  ++grid.rows;
+}
+
+std::uint8_t PatchGrids::seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const {
+  const ScreenXY a = v_[vertex].at, b = v_[vertex + 1].at, c = v_[below + 1].at, d = v_[below].at;
+  const std::uint8_t parts = CellParts::of(a, b, c, d, false, false);
+  if (parts == CellParts::kNone || job.whole) return parts;
+  ScreenBounds bounds;
+  for (const ScreenXY& p : {a, b, c, d}) bounds.widen(p);
+  return job.window.meets(bounds) ? parts : std::uint8_t{CellParts::kNone};
+}
+
+void PatchGrids::close(Open& grid) {
+  if (grid.header == 0) return;
+  GridVertex& header = v_[grid.header];
+  header = v_[grid.header + 1];  // its stride
+  header.at.x = static_cast<std::int16_t>(grid.rows);
+  header.parts = CellParts::kNone;
+  header.color = grid.face;
+  used_ = static_cast<std::uint16_t>(pack(grid.header, grid.header) - 1);
+  grid.header = 0;
+}
+
+// Moves the grid at `from` to `to`, which is not behind it, but for rows and columns that no cell touches. Returns
+// where the next one goes.
+std::uint32_t PatchGrids::pack(std::uint32_t from, std::uint32_t to) {
+  const GridVertex header = v_[from];
+  const std::uint32_t rows = static_cast<std::uint32_t>(header.at.x), stride = header.stride;
+  std::uint32_t top = rows, bottom = 0, left = stride, right = 0;
+  const GridVertex* at = &v_[from + 1];
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < stride; ++column, ++at) {
+      if (at->parts == CellParts::kNone) continue;
+      if (row < top) top = row;
+      bottom = row;
+      if (column < left) left = column;
+      if (column > right) right = column;
+    }
+  }
+  if (top == rows) return to;
+  const std::uint32_t kept = right - left + 2;
+  v_[to] = header;
+  v_[to].at.x = static_cast<std::int16_t>(bottom - top + 2);
+  v_[to].stride = kept & 0x7fu;
+  GridVertex* out = &v_[to + 1];
+  for (std::uint32_t row = top; row <= bottom + 1; ++row) {
+    const GridVertex* in = &v_[from + 1 + row * stride + left];
+    for (std::uint32_t i = 0; i < kept; ++i, ++out) {
+      *out = *in++;
+      out->stride = kept & 0x7fu;
+      out->first_row = row == top;
+    }
+  }
+  return to + size(to);
+}
+
+void PatchGrids::shrink(std::int32_t bottom) {
+  bottom_ = bottom;
+  std::uint32_t to = 1;
+  for (std::uint32_t from = 1; from <= used_;) {
+    const std::uint32_t end = from + size(from);
+    for (std::uint32_t i = from + 1; i < end; ++i) {
+      if (v_[i].parts == CellParts::kNone) continue;
+      const std::uint32_t below = i + v_[i].stride;
+      ScreenBounds bounds;
+      for (const std::uint32_t corner : {i, i + 1, below + 1, below}) bounds.widen(v_[corner].at);
+      if (first_centre(bounds.top) >= bottom) v_[i].parts = CellParts::kNone;
+    }
+    to = pack(from, to);
+    from = end;
+  }
+  used_ = static_cast<std::uint16_t>(to - 1);
+}
+
+void PatchGrids::file(const PoolRef<std::uint16_t>& buckets) {
+  for (std::int32_t i = 1; i <= bottom_ - top_; ++i) buckets[static_cast<std::uint32_t>(i)] = 0;
+  for (std::uint32_t header = 1; header <= used_; header += size(header)) {
+    const std::uint32_t stride = v_[header].stride;
+    for (std::uint32_t i = header + 1; i < header + size(header); ++i) {
+      std::uint32_t around = std::uint32_t{v_[i].parts} | v_[i - 1].parts;
+      if (v_[i].first_row == 0) around |= std::uint32_t{v_[i - stride].parts} | v_[i - stride - 1].parts;
+      if (around == CellParts::kNone) continue;
+      const std::int32_t own = first_centre(v_[i].at.y);
+      if (own >= bottom_) continue;
+      std::uint16_t& bucket = buckets[static_cast<std::uint32_t>(own > top_ ? own - top_ + 1 : 1)];
+      v_[i].next = bucket & 0x1fffu;
+      bucket = static_cast<std::uint16_t>(i);
+    }
+  }
+}
+
+// As VertexBuckets::sorted().
+std::uint16_t PatchGrids::sorted(std::uint16_t unsorted) const {
+  std::uint16_t first = 0, hint = 0;
+  for (std::uint16_t vertex = unsorted; vertex != 0;) {
+    const std::uint16_t rest = v_[vertex].next;
+    const std::int32_t x = v_[vertex].at.x;
+    std::uint16_t before = hint != 0 && v_[hint].at.x <= x ? hint : std::uint16_t{0};
+    for (std::uint16_t after = before == 0 ? first : v_[before].next; after != 0 && v_[after].at.x < x;) {
+      before = after;
+      after = v_[after].next;
+    }
+    if (before == 0) {
+      v_[vertex].next = first & 0x1fffu;
+      first = vertex;
+    } else {
+      v_[vertex].next = v_[before].next;
+      v_[before].next = vertex & 0x1fffu;
+    }
+    hint = vertex;
+    vertex = rest;
+  }
+  return first;
+}
+
+std::uint32_t PatchGrids::corners(FaceId face, std::uint32_t (&corner)[4]) const {
+  const std::uint32_t a = face / 2u, d = a + v_[a].stride;
+  const std::uint32_t all[4] = {a, a + 1, d + 1, d};
+  std::uint32_t count = 0;
+  const bool apart = (v_[a].parts & CellParts::kApart) != 0;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    if (apart && i == (face % 2u != 0 ? 1u : 3u)) continue;
+    corner[count++] = all[i];
+  }
+  return count;
+}
+
+bool PatchGrids::find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const {
+  std::uint32_t corner[4];
+  const std::uint32_t count = corners(face, corner);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const GridVertex& from = v_[corner[i]];
+    const GridVertex& to = v_[corner[i + 1 == count ? 0 : i + 1]];
+    const GridVertex& top = down ? from : to;
+    const GridVertex& bottom = down ? to : from;
+    if (first_centre(top.at.y) > line || first_centre(bottom.at.y) <= line) continue;
+    edge.top = {top.at, top.depth, {}};
+    edge.bottom = {bottom.at, bottom.depth, {}};
+    return true;
+  }
+  return false;
+}
+
+DepthRamp PatchGrids::ramp(FaceId face, std::int32_t line) const {
+  ScreenEdge left, right;
+  [[maybe_unused]] const bool crossed = find_edge(face, line, true, left) && find_edge(face, line, false, right);
+  CHECK(crossed);
+  return depth_between(start_edge(left, line, true), start_edge(right, line, true));
+}
+
+std::uint16_t PatchGrids::scene_face(FaceId face) const {
+  std::uint32_t header = 1;
+  while (header + size(header) <= face / 2u) header += size(header);
+  return v_[header].color;
+}
+
+}  // namespace spanline

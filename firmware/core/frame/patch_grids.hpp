@@ -1,0 +1,114 @@
+// Patches for the edge walker: what a run of lines needs of their grids. A cell has no record of its own: its first
+// corner carries its colour, and which faces an edge parts follows from where its ends stand in the grid.
+#pragma once
+
+#include "core/base/pool.hpp"
+#include "core/frame/patch_job.hpp"
+#include "core/vsg/active_edge.hpp"
+#include "core/vsg/depth.hpp"
+
+namespace spanline {
+
+// A vertex of a grid, and the cell between it and the next one along both directions. Each grid is preceded by an entry
+// that is no vertex: at.x is how many rows of vertices it has, `color` the patch's number in the scene.
+struct GridVertex {
+  static constexpr std::uint16_t kMost = 8191;  // `next`
+
+  ScreenXY at;
+  std::uint32_t depth : 24;     // Q16.8
+  std::uint32_t stride : 7;     // vertices of a row
+  std::uint32_t first_row : 1;  // no cells lie above
+  std::uint16_t next : 13;      // in the list of those that are filed under one line
+  std::uint16_t parts : 3;      // CellParts of the cell; none in the last row and column
+  std::uint16_t color;          // of the cell, as flat_payload() has it
+};
+static_assert(sizeof(GridVertex) == 12 && kMaxSteps + 1 < 1 << 7);
+
+class PatchGrids {
+ public:
+  PatchGrids() = default;
+  PatchGrids(PoolRef<GridVertex> vertices, const Screen& screen, std::uint32_t tolerance)
+      : v_(vertices), screen_(screen), tolerance_(tolerance) {
+    v_.limit(GridVertex::kMost);
+  }
+
+  // Forgets all grids; those to come are for lines [top, bottom).
+  void begin(std::int32_t top, std::int32_t bottom);
+  // Forgets what lies on `bottom` and below.
+  void shrink(std::int32_t bottom);
+  std::int32_t bottom() const { return bottom_; }
+
+  // Dices the reader's current face, a patch culled and inside the view, and keeps the cells that face the viewer and
+  // may cover something of the lines. False where there is no room for all of them; then none is kept.
+  bool dice(PatchJob& job, std::uint16_t face);
+  // Whether dice() is for it: otherwise some control point lies outside of the view.
+  static bool takes(const PatchJob& job) { return !job.outside; }
+  DiceView view(const Projection& projection) const { return {projection, screen_, tolerance_}; }
+
+  std::uint32_t most() const { return most_; }  // entries in use at once, since begin_frame()
+  void begin_frame() { most_ = 0; }
+  std::uint16_t capacity() const { return v_.capacity(); }
+  void set_background(std::uint16_t color) { v_[0].color = color; }
+
+  // Files every vertex with a cell under its first line, or under the run's: those of bucket[1 + line - top] are a list
+  // through `next`.
+  void file(const PoolRef<std::uint16_t>& buckets);
+  // The vertices of a list from left to right.
+  std::uint16_t sorted(std::uint16_t first) const;
+
+  const GridVertex& operator[](std::uint32_t vertex) const { return v_[vertex]; }
+
+  // Cells are named as faces by twice the number of their first vertex, their lower triangles, where those are apart,
+  // by one more.
+  std::uint16_t color(FaceId face) const { return v_[face / 2u].color; }
+  // The face that the upper, or the lower triangle of the cell belongs to; 0 where it is not drawn.
+  FaceId upper(std::uint32_t vertex) const {
+    return static_cast<FaceId>((v_[vertex].parts & CellParts::kUpper) != 0 ? 2 * vertex : 0);
+  }
+  FaceId lower(std::uint32_t vertex) const {
+    const std::uint32_t parts = v_[vertex].parts;
+    if ((parts & CellParts::kLower) == 0) return 0;
+    return static_cast<FaceId>(2 * vertex + ((parts & CellParts::kApart) != 0 ? 1 : 0));
+  }
+  // The corners of a face, counter-clockwise; returns how many.
+  std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
+  // The edge of a face that crosses `line` and runs down (on its left) or up. False where none does.
+  bool find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const;
+  // What its corners' depths lie between.
+  struct DepthRange {
+    std::uint32_t least, most;
+  };
+  DepthRange depth_range(FaceId face) const {
+    const GridVertex* const above = &v_[face / 2u];
+    const GridVertex* const below = above + above->stride;
+    const std::uint32_t a = above->depth, b = above[1].depth, c = below[1].depth, d = below->depth;
+    const std::uint32_t low_ab = a < b ? a : b, high_ab = a < b ? b : a;
+    const std::uint32_t low_cd = c < d ? c : d, high_cd = c < d ? d : c;
+    return {low_ab < low_cd ? low_ab : low_cd, high_ab > high_cd ? high_ab : high_cd};
+  }
+  // Its depth along a line that it covers a pixel of.
+  DepthRamp ramp(FaceId face, std::int32_t line) const;
+  // The number of its patch in the scene.
+  std::uint16_t scene_face(FaceId face) const;
+
+ private:
+  struct Open;
+
+  void strip(const PatchJob& job, Open& grid, std::uint32_t row);
+  bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
+  std::uint8_t seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const;
+  void close(Open& grid);
+  std::uint32_t pack(std::uint32_t from, std::uint32_t to);
+  std::uint32_t size(std::uint32_t header) const {
+    return 1 + static_cast<std::uint32_t>(v_[header].at.x) * v_[header].stride;
+  }
+
+  PoolRef<GridVertex> v_;
+  Screen screen_;
+  std::uint32_t tolerance_ = 8;
+  std::int32_t top_ = 0, bottom_ = 0;
+  std::uint16_t used_ = 0;
+  std::uint32_t most_ = 0;
+};
+
+}  // namespace spanline

@@ -1,0 +1,90 @@
+// A patch at work: where it lies on the screen, and what is wanted of it.
+#pragma once
+
+#include "core/curve/dice.hpp"
+#include "core/curve/normals.hpp"
+#include "core/geom/facet.hpp"
+#include "core/shade/light.hpp"
+
+namespace spanline {
+
+// What a patch looks like.
+struct PatchLook {
+  const LightRig* lights;
+  const MaterialRecord* material;
+  PixelFormat format;
+  bool gouraud;    // keep normals, not colours
+  bool two_sided;  // keep backs
+};
+
+// What something covers at most, 28.4.
+struct ScreenBounds {
+  static constexpr std::int32_t kFar = 1 << 16;  // off every screen
+  static constexpr ScreenBounds anywhere() { return {-kFar, kFar, -kFar, kFar}; }
+
+  std::int32_t top = kFar, bottom = -kFar, left = kFar, right = -kFar;
+
+  void widen(const ScreenBounds& other) {
+    if (other.top < top) top = other.top;
+    if (other.bottom > bottom) bottom = other.bottom;
+    if (other.left < left) left = other.left;
+    if (other.right > right) right = other.right;
+  }
+  void widen(ScreenXY p) { widen({p.y, p.y, p.x, p.x}); }
+  // Rounding may put a vertex so far out of the hull of the control points.
+  void widen_hull(ScreenXY p) { widen({p.y - 2, p.y + 2, p.x - 2, p.x + 2}); }
+};
+
+// What is worked for: lines of a band, columns of the screen.
+struct PatchWindow {
+  std::int32_t top, bottom, width;
+
+  // Whether all of it may be seen.
+  bool holds(const ScreenBounds& b) const {
+    return first_centre(b.top) >= top && first_centre(b.bottom) <= bottom && b.left >= 0 &&
+           first_centre(b.right) <= width;
+  }
+  // Whether the centre of a pixel of it may be covered.
+  bool meets(const ScreenBounds& b) const {
+    const std::int32_t first = first_centre(b.top), end = first_centre(b.bottom);
+    const std::int32_t left = first_centre(b.left), right = first_centre(b.right);
+    return first < end && first < bottom && end > top && left < right && left < width && right > 0;
+  }
+};
+
+// Which triangles of a cell (a, b, c, d) of the grid are facets. A cell that is convex on the screen is one facet, of
+// four corners. Another one is two triangles, abc and acd, each of which may turn its back: a quadrangle that crosses
+// itself is not to be drawn, and every line of the screen meets no more than two edges of a facet.
+struct CellParts {
+  enum : std::uint8_t { kNone = 0, kUpper = 1, kLower = 2, kQuad = kUpper | kLower, kApart = 4 };
+
+  // Those that turn their fronts to the viewer, `two_sided`: all. `mirrored`: fronts run clockwise.
+  static std::uint8_t of(ScreenXY a, ScreenXY b, ScreenXY c, ScreenXY d, bool mirrored, bool two_sided);
+};
+
+// The reader's current face, a patch, as it is diced for a window.
+struct PatchJob {
+  const FacetReader& reader;
+  const PatchLook& look;
+  PatchWindow window;
+  ClipPatch patch;
+  PatchShape shape;
+  ScreenBounds bounds;
+  bool behind = false;   // some control point lies before the near plane: its bounds say nothing
+  bool outside = false;  // some control point lies outside of some plane
+  bool nothing = false;  // nothing of the patch can be seen
+  bool whole = false;    // all of it lies in the window
+  PatchDicer* dicer = nullptr;
+  const PatchTangents* tangents = nullptr;  // at the corners of facets where look.gouraud, else made for their middles
+
+  PatchJob(const FacetReader& facets, const PatchLook& patch_look, const PatchWindow& w);
+  std::uint32_t rows() const { return dicer->rows(); }
+  std::uint32_t columns() const { return dicer->columns(); }
+  ScreenBounds bounds_of(const GridRow& row) const;
+  // What `tangents` are to be made for.
+  NormalGrid normal_grid() const {
+    return look.gouraud ? NormalGrid{rows(), columns()} : NormalGrid{2 * rows(), 2 * columns()};
+  }
+};
+
+}  // namespace spanline

@@ -1,0 +1,65 @@
+// The lines of a frame of patches that the edge walker makes: the patches diced for the longest run of lines whose
+// grids fit their pool, then line by line.
+#pragma once
+
+#include "core/frame/mesh_lines.hpp"
+#include "core/frame/patch_grids.hpp"
+
+namespace spanline {
+
+template <bool kTaps>
+class PatchLines {
+ public:
+  PatchLines() = default;
+  explicit PatchLines(const FrameStorage& storage);
+
+  // As MeshLines: scenes of patches alone, culled, flat and not mirrored, in the view whole.
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
+  bool ready() const { return ready_; }
+  const SceneRecord& scene() const { return scene_.scene(); }
+  bool next(std::uint16_t line, Painter& painter, const SpanTap& tap);
+  const Status& shortage() const { return shortage_; }
+
+  // Of the frame so far: Budget::edges and patch_grid, runs of lines.
+  void count(Statistics& s) const {
+    s.max_edges = most_edges_;
+    s.max_patch_grid = grids_.most();
+    s.bands = runs_;
+  }
+
+ private:
+  template <bool kWords>
+  struct Sink;
+  struct Planes;
+
+  bool give_up(const Status& status);
+
+  Status check() const;
+  Status plan(std::uint16_t top);
+  Status dice_all();
+  Status dice(std::uint16_t face, const LightRig& rig);
+  template <typename Add>
+  void feed(std::uint16_t line, const Add& add);
+  bool run_again(ActiveEdge& edge, std::int32_t line);
+  template <bool kWords>
+  bool walk(std::uint16_t line, Painter& painter, const SpanTap& tap);
+
+  SceneView scene_;
+  CameraRecord camera_{};
+  Screen screen_;
+  bool smooth_ = false;  // Gouraud's materials are drawn as such: not here
+  PoolRef<std::uint16_t> buckets_;
+  FacetReader reader_;
+  PatchGrids grids_;
+  EdgeWalker walker_;
+  std::uint16_t line_ = 0;    // to be made next
+  std::uint16_t top_ = 0;     // of the run planned last
+  std::uint16_t height_ = 0;  // lines of it; 0: none was planned
+  std::uint16_t runs_ = 0;
+  std::uint32_t most_edges_ = 0;
+  Status shortage_;
+  bool planes_made_ = false;  // on the line
+  bool ready_ = false;
+};
+
+}  // namespace spanline

@@ -1,0 +1,287 @@
+// The body of PatchLines; include it only where a Frame with options of one's own is instantiated.
+#pragma once
+
+#include "core/frame/patch_lines.hpp"
+#include "core/shade/fill_words.hpp"
+
+namespace spanline {
+
+// kWords: lines of RGB565, that fill_span() can fill.
+template <bool kTaps>
+template <bool kWords>
+struct PatchLines<kTaps>::Sink {
+  const PatchGrids& grids;
+  Painter& painter;
+  const SpanTap& tap;
+  std::int32_t width;
+  std::uint16_t line;
+
+  void begin(LineWalk&) const {}
+  WalkStop run(LineWalk& walk) const {
+    return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+      report_one(left, right, face);
+      paint(left, right, face);
+      return true;
+    });
+  }
+  bool learn(FaceId) const { return false; }
+  void one(std::int32_t left, std::int32_t right, FaceId face) const {
+    report_one(left, right, face);
+    paint_cut(left, right, face);
+  }
+  void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
+    if constexpr (kTaps) report(left, right, face, ramp);
+    paint_front(left, right, face);
+  }
+  void front_alone(std::int32_t left, std::int32_t right, FaceId face) const {
+    report_one(left, right, face);
+    paint_front(left, right, face);
+  }
+
+ private:
+  void paint_front(std::int32_t left, std::int32_t right, FaceId face) const {
+    if (right + kOvershoot > width) return paint_cut(left, right, face);
+    paint(left, right, face);
+  }
+  void paint(std::int32_t left, std::int32_t right, FaceId face) const {
+    if constexpr (kWords) {
+      fill_span(painter.out(), left, right, grids.color(face));
+    } else {
+      paint_cut(left, right, face);
+    }
+  }
+  // Not a pixel too far.
+  [[gnu::noinline]] void paint_cut(std::int32_t left, std::int32_t right, FaceId face) const {
+    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), grids.color(face));
+  }
+  void report_one(std::int32_t left, std::int32_t right, FaceId face) const {
+    if constexpr (kTaps) report(left, right, face, face != 0 ? grids.ramp(face, line) : DepthRamp{});
+  }
+  void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
+    if (tap.span == nullptr) return;
+    VisibleSpan span;
+    span.line = line;
+    span.left = static_cast<std::uint16_t>(left);
+    span.right = static_cast<std::uint16_t>(right);
+    if (face != 0) span.face = grids.scene_face(face);
+    span.payload = grids.color(face);
+    span.depth = ramp;
+    tap.span(tap.context, span);
+  }
+};
+
+// The depths of faces along a line. Between their corners depth is that of the corners, but for rounding of less than a
+// unit, so that most faces need no more.
+template <bool kTaps>
+struct PatchLines<kTaps>::Planes {
+  PatchLines& lines;
+  std::uint16_t line;
+
+  DepthPlane operator()(FaceId face) const {
+    lines.planes_made_ = true;
+    return {lines.grids_.ramp(face, line), 0};
+  }
+  FaceId nearest(const OverlapSet& set) const {
+    constexpr std::uint32_t kUnit = 1u << (kDepthBits - 16);
+    FaceId face = 0;
+    std::uint32_t least = 0, most = 0, others = 0;  // the face's own depths; the largest of the others
+    for (unsigned i = 0; i < set.count(); ++i) {
+      const PatchGrids::DepthRange range = lines.grids_.depth_range(set[i]);
+      std::uint32_t passed = range.most;
+      if (range.least >= least) {
+        face = set[i];
+        passed = std::exchange(most, range.most);
+        least = range.least;
+      }
+      if (passed > others) others = passed;
+    }
+    return least > others + kUnit ? face : FaceId{0};
+  }
+};
+
+template <bool kTaps>
+PatchLines<kTaps>::PatchLines(const FrameStorage& storage)
+    : screen_(storage.screen),
+      smooth_(storage.smooth.looks.capacity() != 0),
+      buckets_(storage.mesh.walker.buckets),
+      grids_(storage.patches.grid, storage.screen, storage.patches.tolerance),
+      walker_(storage.mesh.walker, storage.screen) {}
+
+template <bool kTaps>
+Status PatchLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
+  if (ready_ && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
+  ready_ = false;
+  scene_ = scene;
+  camera_ = camera;
+  if (const Status status = check(); !status.ok()) return status;
+  reader_ = FacetReader(scene_, camera_, screen_, {});
+  runs_ = height_ = 0;
+  grids_.begin_frame();
+  most_edges_ = 0;
+  if (const Status status = plan(top); !status.ok()) return status;
+  line_ = top;
+  ready_ = true;
+  return {};
+}
+
+// What cannot be drawn here.
+template <bool kTaps>
+Status PatchLines<kTaps>::check() const {
+  if (!scene_.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
+  if (scene_.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
+  for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
+    const std::uint16_t flags = at.instance().flags;
+    if ((flags & InstanceRecord::kHidden) != 0) continue;
+    if ((flags & (InstanceRecord::kTwoSided | InstanceRecord::kScreen)) != 0) {
+      return {Code::bad_record, "InstanceRecord", "flags", at.index(), 0, flags};
+    }
+    if (!at.mesh().of_patches()) return {Code::bad_record, "MeshRecord", "corners (no patches)", at.instance().mesh};
+  }
+  return {};
+}
+
+// Dices the patches for the longest run of lines from `top` on whose grids fit. The run planned last, and twice that,
+// is where the search begins; where the pool overflows the run is shortened, and what it does not need any more gives
+// way.
+template <bool kTaps>
+Status PatchLines<kTaps>::plan(std::uint16_t top) {
+  const std::int32_t rest = screen_.height - top;
+  const std::int32_t lines = height_ == 0 || 2 * height_ > rest ? rest : 2 * height_;
+  grids_.begin(top, top + lines);
+  top_ = top;
+  walker_.begin();
+  if (const Status status = dice_all(); !status.ok()) return status;
+  grids_.file(buckets_);
+  height_ = static_cast<std::uint16_t>(grids_.bottom() - top);
+  ++runs_;
+  return {};
+}
+
+template <bool kTaps>
+Status PatchLines<kTaps>::dice_all() {
+  LightRig rig;
+  std::uint32_t lit = UINT32_MAX;
+  for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
+    reader_.select(face);
+    if ((reader_.instance().flags & InstanceRecord::kHidden) != 0) {
+      face = reader_.last_face();
+      continue;
+    }
+    if (lit != reader_.instance_index()) {
+      lit = reader_.instance_index();
+      rig = LightRig(scene_.scene(), reader_.instance().transform);
+    }
+    if (const Status status = dice(face, rig); !status.ok()) return status;
+  }
+  return {};
+}
+
+template <bool kTaps>
+Status PatchLines<kTaps>::dice(std::uint16_t face, const LightRig& rig) {
+  if (reader_.mirrored()) return {Code::bad_record, "InstanceRecord", "transform (mirrored)", reader_.instance_index()};
+  const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+  if (smooth_ && material.shading == MaterialRecord::kGouraud) {
+    return {Code::bad_record, "MaterialRecord", "shading (Gouraud)", reader_.face().material};
+  }
+  const PatchLook look{&rig, &material, screen_.format, false, false};
+  for (;;) {
+    PatchJob job(reader_, look, {top_, grids_.bottom(), screen_.width});
+    if (job.nothing) return {};
+    if (!PatchGrids::takes(job)) {
+      return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", reader_.instance_index()};
+    }
+    PatchDicer dicer(job.patch, grids_.view(reader_.projection()));
+    job.dicer = &dicer;
+    if (grids_.dice(job, face)) return {};
+    const std::int32_t lines = grids_.bottom() - top_;
+    if (lines == 1) {
+      const std::uint32_t all = grids_.capacity();
+      return {Code::pool_exhausted, "patch_grid", "", face, top_, all + 1, all};
+    }
+    grids_.shrink(top_ + lines * 3 / 4);
+  }
+}
+
+// The edges that begin on the line: each from its upper end to its neighbours in the grid, and in cells cut in two.
+template <bool kTaps>
+template <typename Add>
+void PatchLines<kTaps>::feed(std::uint16_t line, const Add& add) {
+  std::uint16_t vertex = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
+  if (line != top_) vertex = grids_.sorted(vertex);
+  for (; vertex != 0; vertex = grids_[vertex].next) {
+    const std::uint32_t v = vertex;
+    const GridVertex& at = grids_[v];
+    const std::uint32_t stride = at.stride;
+    const auto edge = [&](std::uint32_t to, FaceId begins, FaceId ends) {
+      if ((begins | ends) != 0) add(at.at, grids_[to].at, begins, ends);
+    };
+    FaceId upper_right = 0;  // of the triangles around the vertex: the one that the edge to the right has above it
+    if (at.first_row == 0) {
+      const std::uint32_t above = v - stride, corner = above - 1;
+      const FaceId before = grids_.upper(corner), left = grids_.lower(corner);
+      upper_right = grids_.lower(above);
+      edge(above, upper_right, before);
+      edge(v - 1, left, grids_.upper(v - 1));
+      if ((grids_[corner].parts & CellParts::kApart) != 0) edge(corner, before, left);
+    } else {
+      edge(v - 1, 0, grids_.upper(v - 1));
+    }
+    const FaceId own = grids_.upper(v), below = grids_.lower(v);
+    edge(v + 1, own, upper_right);
+    edge(v + stride, grids_.upper(v - 1), below);
+    if ((at.parts & CellParts::kApart) != 0) edge(v + stride + 1, below, own);
+  }
+}
+
+template <bool kTaps>
+bool PatchLines<kTaps>::run_again(ActiveEdge& edge, std::int32_t line) {
+  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
+  const FaceId ends = edge.ending();
+  const FaceId face = ends == 0 ? edge.beginning() : ends;
+  ScreenEdge e;
+  if (!grids_.find_edge(face, line, ends == 0, e)) return false;
+  if (first_centre(e.top.at.y) >= line) return false;  // that one comes from its own vertex
+  const EdgeRun run = start_run(e.top.at, e.bottom.at, line);
+  edge.x = run.x;
+  edge.dx = run.dx;
+  edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
+  return true;
+}
+
+template <bool kTaps>
+template <bool kWords>
+bool PatchLines<kTaps>::walk(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+  const Sink<kWords> sink{grids_, painter, tap, screen_.width, line};
+  return walker_.walk(line, sink, Planes{*this, line},
+                      [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
+}
+
+template <bool kTaps>
+bool PatchLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+  CHECK(ready_ && line == line_);
+  if (line == top_ + height_) {
+    if (const Status status = plan(line); !status.ok()) return give_up(status);
+  }
+  grids_.set_background(painter.background());
+  if (!walker_.start_fed(line, [&](const auto& add) { feed(line, add); })) {
+    const std::uint32_t capacity = walker_.edge_capacity();
+    return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
+  }
+  if (walker_.most_edges() > most_edges_) most_edges_ = walker_.most_edges();
+  if (planes_made_) walker_.forget_planes();
+  planes_made_ = false;
+  if (!(screen_.format == PixelFormat::rgb565 ? walk<true>(line, painter, tap) : walk<false>(line, painter, tap))) {
+    return give_up({Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost});
+  }
+  ++line_;
+  return true;
+}
+
+template <bool kTaps>
+bool PatchLines<kTaps>::give_up(const Status& status) {
+  ready_ = false;
+  shortage_ = status;
+  return false;
+}
+
+}  // namespace spanline
