@@ -5,7 +5,7 @@
 namespace spanline::host {
 namespace {
 
-constexpr std::uint16_t kNone = 0;
+constexpr std::uint16_t kNoBlocks = 0;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& s
   vsg.polygons = take<PolygonBlock>(sizes.polygons);
   vsg.edges = take<EdgeBlock>(sizes.edges);
   vsg.segments = take<SegmentBlock>(sizes.segments);
-  vsg.shades = take<SegmentShade>(sizes.gouraud ? sizes.segments : kNone);
+  vsg.shades = take<SegmentShade>(sizes.gouraud ? sizes.segments : kNoBlocks);
   vsg.active = take<ActiveSegment>(sizes.active != 0 ? sizes.active : sizes.segments);
   for (PoolRef<std::int16_t>& samples : vsg.samples) samples = take<std::int16_t>(sizes.samples);
   vsg.implied = take<ImpliedEdge>(sizes.implied);
@@ -81,7 +81,7 @@ void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& s
   }
   if (!sizes.has(sizes.patch_facets)) return;
   storage_.patches = {take<DicedFacet>(sizes.patch_facets), take<ScreenPoint>(sizes.patch_vertices),
-                      take<Normal10>(sizes.gouraud ? sizes.patch_vertices : kNone), sizes.patch_tolerance,
+                      take<Normal10>(sizes.gouraud ? sizes.patch_vertices : kNoBlocks), sizes.patch_tolerance,
                       storage_.patches.grid};
 }
 
@@ -93,7 +93,7 @@ void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
   for (PoolRef<ActiveEdge>& edges : walker.edges) edges = take<ActiveEdge>(sizes.edges);
   walker.planes = take<CachedPlane>(sizes.planes);
   storage_.mesh.faces = take<std::uint16_t>(sizes.facets);
-  storage_.mesh.levels = take<Brightness>(sizes.gouraud ? sizes.vertices : kNone);
+  storage_.mesh.levels = take<Brightness>(sizes.gouraud ? sizes.vertices : kNoBlocks);
   storage_.patches.tolerance = sizes.patch_tolerance;
   if (sizes.has(sizes.patch_grid)) storage_.patches.grid = take<GridVertex>(sizes.patch_grid);
 }
