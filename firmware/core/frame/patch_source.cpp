@@ -274,7 +274,7 @@ void PatchSource::colour(const PatchJob& job, std::uint32_t row, std::uint16_t f
   const NormalRow normals(*job.tangents, 2 * row + 1);
   for (std::uint32_t i = first; i <= count_; ++i) {
     DicedFacet& facet = p_.facets[i];
-    const Normal10 normal = normals.at(2 * (facet.part / 2 % kMaxSteps) + 1);
+    const Normal10 normal = normals.at(2 * (facet.part / 2u % kMaxSteps) + 1);
     const bool flip = job.look.two_sided && !front(facet, job.reader.mirrored());
     facet.payload = flat_payload(job.look.format, job.look.lights->shade(normal, *job.look.material, flip));
   }
