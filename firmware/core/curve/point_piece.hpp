@@ -51,8 +51,8 @@ struct ScreenPiece {
 inline constexpr std::uint32_t kPieceSteps = 16;
 // What bending the net to the projected patch's tangents may make of that.
 inline constexpr std::uint32_t kMostPieceSteps = 24;
-// 31/32 px: the rest is for roundings, and for what neighbouring pieces may differ where they meet.
-inline constexpr std::int32_t kLongestStep = 31 << (kPointBits - 5);
+// 63/64 px: the rest is for roundings, and for what neighbouring pieces may differ where they meet.
+inline constexpr std::int32_t kLongestStep = 63 << (kPointBits - 6);
 
 // Cuts a patch and yields the pieces of it that may cover a pixel of the window. Which pieces there are does not
 // depend on the window. Parts nearer than half the near plane, and what kMostCuts cuts leave too long, are left out.

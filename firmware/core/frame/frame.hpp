@@ -84,6 +84,8 @@ class Frame {
   // Templates, so that a frame without patches_ does not have them.
   template <typename Points>
   void plot_points(Points& points, std::uint16_t top, std::uint16_t bottom);
+  template <typename Use>
+  void each_patch(const Use& use);
   template <typename Patches>
   bool file_patches(Patches& patches, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
   template <typename Patches>

@@ -219,20 +219,43 @@ bool Frame<kOptions>::file_patches(Patches& patches, std::uint16_t top, std::uin
   return true;
 }
 
+// Nearer ones first, by slices of distance: pieces behind them are then not lit and stepped.
 template <FrameOptions kOptions>
 template <typename Points>
 void Frame<kOptions>::plot_points(Points& points, std::uint16_t top, std::uint16_t bottom) {
   points.begin_band(top, bottom);
+  std::int64_t nearest = INT32_MAX, farthest = INT32_MIN;
+  each_patch([&](std::uint16_t) {
+    const std::int32_t distance = Points::distance(reader_);
+    nearest = distance < nearest ? distance : nearest;
+    farthest = distance > farthest ? distance : farthest;
+  });
+  constexpr std::int64_t kSlices = 8;
+  for (std::int64_t slice = 0; slice < kSlices; ++slice) {
+    const std::int64_t first = nearest + (farthest + 1 - nearest) * slice / kSlices;
+    const std::int64_t end = nearest + (farthest + 1 - nearest) * (slice + 1) / kSlices;
+    each_patch([&](std::uint16_t face) {
+      const std::int32_t distance = Points::distance(reader_);
+      if (distance < first || distance >= end) return;
+      const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
+      const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+      points.plot(reader_, face,
+                  {&lights(), &material, screen_.format, material.shading == MaterialRecord::kGouraud, two_sided});
+    });
+  }
+}
+
+// Makes every patch that is drawn the reader's current face.
+template <FrameOptions kOptions>
+template <typename Use>
+void Frame<kOptions>::each_patch(const Use& use) {
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
     reader_.select(face);
     if (!reader_.is_patch() || (reader_.instance().flags & InstanceRecord::kHidden) != 0) {
       face = reader_.last_face();
       continue;
     }
-    const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
-    const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
-    points.plot(reader_, face,
-                {&lights(), &material, screen_.format, material.shading == MaterialRecord::kGouraud, two_sided});
+    use(face);
   }
 }
 

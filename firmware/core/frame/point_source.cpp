@@ -38,6 +38,12 @@ void PointSource::begin_band(std::int32_t top, std::int32_t bottom) {
   for (std::uint32_t i = 0; i < count; ++i) p_.cells[i] = 0;
 }
 
+std::int32_t PointSource::distance(const FacetReader& reader) {
+  std::int32_t sum = 0;
+  for (const std::uint32_t corner : {0u, 3u, 12u, 15u}) sum += reader.control_point(corner).w / 4;
+  return sum;
+}
+
 void PointSource::plot(const FacetReader& reader, std::uint16_t face, const PatchLook& look) {
   const Projection& projection = reader.projection();
   Job job{look, {top_, bottom_, screen_.width}, face, reader.mirrored(), 0, {}};
@@ -53,20 +59,19 @@ void PointSource::plot(const FacetReader& reader, std::uint16_t face, const Patc
   }
 }
 
-// Whether all pixels that the piece may have a point in show something nearer than it comes.
-bool PointSource::hidden(const Job& job, const ScreenPiece& piece) const {
-  std::int32_t least[kPointAxes], most[kPointAxes];
-  for (int axis = 0; axis < kPointAxes; ++axis) {
-    least[axis] = most[axis] = piece.at[axis][0][0];
-    for (const auto& row : piece.at[axis]) {
-      for (const std::int32_t v : row) {
-        least[axis] = v < least[axis] ? v : least[axis];
-        most[axis] = v > most[axis] ? v : most[axis];
-      }
-    }
+// What some control points reach to: x and y, Q13.19.
+struct PointSource::Reach {
+  std::int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
+
+  void add(int axis, std::int32_t v) {
+    least[axis] = v < least[axis] ? v : least[axis];
+    most[axis] = v > most[axis] ? v : most[axis];
   }
-  // What rounding may add on the way is less than that.
-  constexpr std::int32_t kRounding = 1 << (kPointBits - 4), kDepthRounding = 1 << 8;
+};
+
+// Whether all pixels that points within the reach may lie in show something nearer than `nearest`, Q16.
+bool PointSource::hidden(const Job& job, const Reach& reach, std::int32_t nearest) const {
+  constexpr std::int32_t kRounding = 1 << (kPointBits - 4);  // what rounding may add on the way is less
   const auto begin = [](std::int32_t v, std::int32_t low) {
     const std::int32_t px = (v - kRounding) >> kPointBits;
     return px > low ? px : low;
@@ -75,10 +80,9 @@ bool PointSource::hidden(const Job& job, const ScreenPiece& piece) const {
     const std::int32_t px = ((v + kRounding) >> kPointBits) + 1;
     return px < high ? px : high;
   };
-  const std::int32_t nearest = (most[kPointDepth] + kDepthRounding) >> kPointDepthBits;
-  const std::int32_t left = begin(least[kPointX], 0), right = end(most[kPointX], job.window.width);
-  const std::int32_t bottom = end(most[kPointY], bottom_);
-  for (std::int32_t y = begin(least[kPointY], top_); y < bottom; ++y) {
+  const std::int32_t left = begin(reach.least[kPointX], 0), right = end(reach.most[kPointX], job.window.width);
+  const std::int32_t bottom = end(reach.most[kPointY], bottom_);
+  for (std::int32_t y = begin(reach.least[kPointY], top_); y < bottom; ++y) {
     const std::uint32_t* const line = p_.cells.data() + static_cast<std::uint32_t>((y - top_) * job.window.width);
     for (std::int32_t x = left; x < right; ++x) {
       if (static_cast<std::int32_t>(line[x] >> 16) <= nearest) return false;
@@ -87,13 +91,31 @@ bool PointSource::hidden(const Job& job, const ScreenPiece& piece) const {
   return true;
 }
 
-void PointSource::plot(const Job& job, const ScreenPiece& piece) {
-  if (hidden(job, piece)) return;
-  PieceShade shade(piece, job.shape, job.look);
-  plot_rows(job, piece, shade);
+bool PointSource::hidden(const Job& job, const PointRows& row, std::int32_t nearest) const {
+  Reach reach;
+  for (int j = 0; j < 4; ++j) {
+    for (const PointAxis axis : {kPointX, kPointY}) reach.add(axis, row.control(axis, j));
+  }
+  return hidden(job, reach, nearest);
 }
 
-void PointSource::plot_rows(const Job& job, const ScreenPiece& piece, PieceShade& shade) {
+void PointSource::plot(const Job& job, const ScreenPiece& piece) {
+  Reach reach;
+  std::int32_t nearest = 0;
+  for (int i = 0; i < 16; ++i) {
+    for (int axis = kPointX; axis <= kPointY; ++axis) reach.add(axis, piece.at[axis][i / 4][i % 4]);
+    const std::int32_t depth = piece.at[kPointDepth][i / 4][i % 4];
+    nearest = depth > nearest ? depth : nearest;
+  }
+  nearest = (nearest >> kPointDepthBits) + 1;
+  if (hidden(job, reach, nearest)) return;
+  PieceShade shade(piece, job.shape, job.look);
+  plot_rows(job, piece, nearest, shade);
+}
+
+// A row is passed over where nothing of the whole piece could be seen in its pixels: a diamond beside it, whose middle
+// is among them, cannot be either.
+void PointSource::plot_rows(const Job& job, const ScreenPiece& piece, std::int32_t nearest, PieceShade& shade) {
   const bool mixed = piece.side == PieceSide::mixed;
   PointPixel points[2][kMostPieceSteps + 1];
   std::int32_t turns[kMostPieceSteps + 1];
@@ -102,8 +124,8 @@ void PointSource::plot_rows(const Job& job, const ScreenPiece& piece, PieceShade
   PointRows rows(piece);
   bool had_above = false;
   for (std::uint32_t index = 0; index <= piece.rows; ++index, rows.step()) {
-    const bool meets = rows.meets(job.window);
-    if (meets) {
+    const bool seen = rows.meets(job.window) && !hidden(job, rows, nearest);
+    if (seen) {
       const PointPixel* const above = points[(index + 1) % 2];
       PointPixel* const below = points[index % 2];
       rows.step_off(below);
@@ -116,7 +138,7 @@ void PointSource::plot_rows(const Job& job, const ScreenPiece& piece, PieceShade
                       [&](std::uint32_t column, const PointPixel& pixel) { put(job, row, &pixel, column, 1); });
       }
     }
-    had_above = meets;
+    had_above = seen;
   }
 }
 

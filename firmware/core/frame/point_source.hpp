@@ -28,6 +28,9 @@ class PointSource {
   // Clears the lines [top, bottom), no more than lines(); the points to come are for them.
   void begin_band(std::int32_t top, std::int32_t bottom);
 
+  // How far off about the reader's current face is, a patch; Q16.16.
+  static std::int32_t distance(const FacetReader& reader);
+
   // Plots the reader's current face, a patch.
   void plot(const FacetReader& reader, std::uint16_t face, const PatchLook& look);
 
@@ -45,12 +48,14 @@ class PointSource {
  private:
   struct Job;
   struct Row;
+  struct Reach;
 
-  bool hidden(const Job& job, const ScreenPiece& piece) const;
+  bool hidden(const Job& job, const Reach& reach, std::int32_t nearest) const;
+  bool hidden(const Job& job, const PointRows& row, std::int32_t nearest) const;
   void plot(const Job& job, const ScreenPiece& piece);
   [[gnu::noinline]]  // keeps its rows off the stack while normals are worked out
   void
-  plot_rows(const Job& job, const ScreenPiece& piece, PieceShade& shade);
+  plot_rows(const Job& job, const ScreenPiece& piece, std::int32_t nearest, PieceShade& shade);
   void put(const Job& job, const Row& row, const PointPixel* points, std::uint32_t column, std::uint32_t count);
 
   PointStorage p_;
