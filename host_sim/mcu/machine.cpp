@@ -2,23 +2,11 @@
 
 #include <unicorn/unicorn.h>
 
-#include <algorithm>
-#include <optional>
 #include <set>
 
 #include "assetc/input_error.hpp"
-#include "mcu/chip.hpp"
-#include "mcu/core_hooks.hpp"
-#include "mcu/core_state.hpp"
-#include "mcu/cycle_model.hpp"
-#include "mcu/decoded_code.hpp"
-#include "mcu/ledger.hpp"
-#include "mcu/marks.hpp"
-#include "mcu/memory_map.hpp"
-#include "mcu/pool_watch.hpp"
+#include "mcu/emulated_machine.hpp"
 #include "mcu/semihosting.hpp"
-#include "mcu/stack_watch.hpp"
-#include "mcu/system_registers.hpp"
 
 namespace spanline::host {
 namespace {
@@ -30,77 +18,7 @@ constexpr std::uint32_t kFarJump = 0x1000;  // bytes ahead: no branch within a f
 // Of QEMU's target/arm/cpu.h.
 enum Exception : std::uint32_t { kUndefined = 1, kSupervisorCall = 2, kBreakpoint = 7, kExceptionReturn = 8 };
 
-// Executes, keeps the time, and tells everybody else what happened when.
-class Machine final : private RegisterAccess {
- public:
-  Machine(const Image& image, const BoardDescription& board, const RunOptions& options);
-  Machine(const Machine&) = delete;
-  Machine& operator=(const Machine&) = delete;
-  ~Machine() = default;
-  RunReport run();
-
- private:
-  friend CoreHooks<Machine>;
-
-  StartState reset();
-  const DecodedCode::Entry& decoded(std::uint32_t address);
-  void on_code(std::uint32_t address);
-  void on_access(bool write, std::uint32_t address, std::uint32_t size);
-  void on_interrupt(std::uint32_t number);
-  std::uint32_t read_register(std::uint32_t address, unsigned size) override;
-  void write_register(std::uint32_t address, unsigned size, std::uint32_t value) override;
-  Peripheral* device_at(std::uint32_t address, unsigned size, const char* verb);
-  void settle(std::uint32_t next, std::uint8_t next_size);
-  bool serve_events(std::uint32_t address);
-  void plan_events();
-  void semihost();
-  void enter_marks(std::uint32_t address);
-  void end_frame();
-  void begin_line();
-  void end_making();
-  void watch_stack(std::uint32_t address);
-  void end(const std::string& why);
-  void fail(const std::string& what);
-  void fill_report(const StartState& start);
-  // Cycles since reset.
-  std::uint64_t now() const {
-    if (options_.as_emulator) return clock_.cycle_at(ledger_.total().instructions);
-    return model_ ? ledger_.total().time() : ledger_.total().instructions;
-  }
-  std::string place(std::uint32_t address) const { return hex(address) + " in " + image_.name_at(address); }
-
-  const Image& image_;
-  const BoardDescription& board_;
-  const RunOptions& options_;
-  const Marks marks_;
-  CoreState core_;
-  MemoryMap map_{core_, *this};
-  std::unique_ptr<Chip> chip_;
-  MemoryTiming no_timing_;
-  MemoryTiming& timing_;
-  CoreClock fixed_clock_;
-  const CoreClock& clock_;
-  std::optional<CycleModel> model_;
-  SystemRegisters system_;
-  DebugInfo debug_;
-  DecodedCode code_;
-  PoolWatch pools_;
-  Ledger ledger_;
-  WaitFinder waits_;
-  StackWatch stack_;
-  std::optional<FrameRecorder> frames_;
-  std::uint32_t vectors_ = 0;
-  std::uint32_t line_made_ = Marks::kNowhere;
-  bool counting_, ended_ = false;
-  const DecodedCode::Entry* current_ = nullptr;
-  std::uint32_t current_address_ = 0, block_end_ = 0;
-  std::uint64_t next_event_ = 0;
-  unsigned stall_ = 0;
-  Execution how_;
-  bool sp_changed_ = true;
-  std::string failure_;
-  RunReport report_;
-};
+}  // namespace
 
 Machine::Machine(const Image& image, const BoardDescription& board, const RunOptions& options)
     : image_(image),
@@ -138,77 +56,6 @@ void Machine::end(const std::string& why) {
 void Machine::fail(const std::string& what) {
   if (failure_.empty()) failure_ = what + ", at " + place(current_address_) + "; " + core_.registers();
   end("fault");
-}
-
-// Null after a failure.
-Peripheral* Machine::device_at(std::uint32_t address, unsigned size, const char* verb) {
-  Peripheral* const device = chip_ ? chip_->peripheral_at(address) : nullptr;
-  const auto refuse = [&](const std::string& why) {
-    fail(std::string(verb) + " the register " + hex(address) + why);
-    return nullptr;
-  };
-  if (device == nullptr) return refuse(", which is not modelled");
-  if (!device->alive()) return refuse(" of " + device->name() + ", which has no clock or is in reset");
-  if (size != 4 || address % 4 != 0) return refuse(" by " + std::to_string(size) + " bytes, words are modelled");
-  chip_->advance(now());
-  return device;
-}
-
-std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {
-  std::optional<std::uint32_t> value;
-  if (address - SystemRegisters::kBase < SystemRegisters::kBytes) {
-    value = system_.read(address, now());
-  } else if (Peripheral* const device = device_at(address, size, "reads")) {
-    value = device->read(address - device->base());
-  }
-  if (!value) fail("reads the register " + hex(address) + ", which is not modelled");
-  const std::optional<WaitFinder::Wait> wait = waits_.asked(current_address_, now());
-  if (wait) {
-    ledger_.charge_waiting(wait->begin);
-    if (frames_) frames_->waited(wait->begin, wait->end);
-  }
-  ledger_.asked();
-  return value.value_or(0);
-}
-
-void Machine::write_register(std::uint32_t address, unsigned size, std::uint32_t value) {
-  bool known = false;
-  if (address - SystemRegisters::kBase < SystemRegisters::kBytes) {
-    known = system_.write(address, value, now());
-  } else if (Peripheral* const device = device_at(address, size, "writes")) {
-    known = device->write(address - device->base(), value);
-    if (frames_) frames_->gave(chip_->pixels_given(), ledger_);
-  }
-  if (!known) fail("writes the register " + hex(address) + ", which is not modelled");
-  plan_events();
-}
-
-void Machine::plan_events() {
-  next_event_ = system_.next_tick();
-  if (chip_) next_event_ = std::min(next_event_, chip_->next_event());
-}
-
-// True where an interrupt is taken before the instruction at `address`.
-bool Machine::serve_events(std::uint32_t address) {
-  if (chip_) {
-    chip_->advance(now());
-    if (frames_) frames_->gave(chip_->pixels_given(), ledger_);
-  }
-  const bool between_blocks = address >= block_end_ || address < current_address_;
-  const bool tick =
-      system_.next_tick() <= now() && between_blocks && !core_.in_exception() && !core_.interrupts_masked();
-  if (tick) {
-    constexpr std::uint32_t kTickVector = 15 * 4;
-    std::uint32_t handler = 0;
-    core_.read((system_.vectors() != 0 ? system_.vectors() : vectors_) + kTickVector, sizeof handler, &handler);
-    system_.take_tick(now());
-    core_.enter_exception(handler & ~1u, address);
-    ledger_.calls().interrupt();
-    if (model_) ledger_.charge(decoded(handler & ~1u), {0, model_->enter_exception(), 0, 0});
-    sp_changed_ = true;
-  }
-  plan_events();
-  return tick;
 }
 
 const DecodedCode::Entry& Machine::decoded(std::uint32_t address) {
@@ -423,8 +270,6 @@ RunReport Machine::run() {
   fill_report(start);
   return report_;
 }
-
-}  // namespace
 
 RunReport run_image(const Image& image, const BoardDescription& board, const RunOptions& options) {
   Machine machine(image, board, options);
