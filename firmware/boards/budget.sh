@@ -14,6 +14,7 @@ mkdir -p "$reports"
 [ "$board" = microbit ] && frames=1 || frames=4
 status=0
 for demo in $("$spanline" demo --list); do
+  [ -f "$images/$demo.elf" ] || continue  # the board has no room for it
   # Nothing is held against a demo whose limits have not been accepted yet.
   [ "$hold" = --accept ] || grep -q "^ \"$demo\": " "$here/$board/budgets.json" || continue
   report=$reports/$board-$demo
