@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <set>
 
 #include "assetc/input_error.hpp"
 #include "core/frame/frame_impl.hpp"
@@ -81,6 +82,19 @@ std::optional<Statistics> needs_of_frame(const SceneView& view, const CameraReco
   return frame.statistics();
 }
 
+// The materials whose faces are smooth, each of which has a table.
+std::size_t smooth_materials(const SceneRecord& scene) {
+  std::set<std::uint16_t> found;
+  for (const InstanceRecord& instance : scene.instances) {
+    for (const FaceGroup& group : scene.meshes[instance.mesh].groups) {
+      const bool own = instance.material == InstanceRecord::kOwnMaterials;
+      const std::uint16_t material = own ? group.material : instance.material;
+      if (scene.materials[material].shading == MaterialRecord::kGouraud) found.insert(material);
+    }
+  }
+  return found.size();
+}
+
 // Caches are of powers of two less one.
 std::uint16_t cache_for(std::size_t things, std::size_t most) {
   return static_cast<std::uint16_t>(std::min(std::bit_ceil(things + 1), most + 1) - 1);
@@ -92,18 +106,20 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   const SceneDescription& description = scene.description();
   const Screen screen{description.width, description.height};
   std::uint32_t edges = 0, grid = 0;
+  std::size_t materials = 1;
   SceneView view;
   for (std::int64_t number = first; number <= last; ++number) {
     scene.show(number);
     const SceneRecord record = scene.record();
     view = validated(record, description.place);
+    materials = std::max(materials, smooth_materials(record));
     const auto needed = view.has_patches() ? needs_of_frame<kOfPatches>(view, scene.camera(), screen)
                                            : needs_of_frame<kOfMeshes>(view, scene.camera(), screen);
     if (!needed) return std::nullopt;
     edges = std::max(edges, needed->max_edges);
     grid = std::max(grid, needed->max_patch_grid);
   }
-  constexpr std::size_t kMostPlanes = 31, kMostLooks = 127, kMostTables = 15;
+  constexpr std::size_t kMostPlanes = 31, kMostLooks = 103, kMostTables = 15;
   Budget budget{.width = screen.width, .height = screen.height};
   budget.walker = Walker::edges;
   if (view.has_patches()) {
@@ -116,8 +132,8 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
   budget.planes = cache_for(view.face_count(), kMostPlanes);
-  budget.looks = cache_for(view.face_count(), kMostLooks);
-  budget.tables = cache_for(scene.materials().size() - 1, kMostTables);
+  budget.looks = static_cast<std::uint16_t>(std::min<std::size_t>(view.face_count(), kMostLooks));
+  budget.tables = cache_for(materials - 1, kMostTables);
   return budget;
 }
 

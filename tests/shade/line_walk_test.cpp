@@ -16,6 +16,7 @@ struct Line {
   ActiveEdge edges[kMostEdges + 2];  // those alive and a sentinel, those that begin and a sentinel
   ActiveEdge next[kMostEdges + 1];
   std::uint16_t words[kFaces + 1];
+  std::uint8_t slots[kFaces + 1];
   FaceLook looks[kFaces + 1];
   alignas(4) std::uint16_t pixels[kWidest];
 };
@@ -54,7 +55,7 @@ WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smo
       const FaceId face = only_face(walk.key);
       std::uint16_t color = line.words[face];
       if (smooth && face != 0) {
-        const FaceLook& look = line.looks[line.words[face]];
+        const FaceLook& look = line.looks[line.slots[face]];
         if (look.face != face || look.material != kKnown) return WalkStop::look;
         color = colors[look.plane.at(static_cast<std::uint32_t>(walk.left), y) >> 26];
       }
@@ -86,7 +87,7 @@ LineWalk begin(Line& line, int width, int alive) {
   walk.key = 0;
   walk.furthest = INT32_MIN;
   walk.pixels = reinterpret_cast<std::uint8_t*>(line.pixels);
-  walk.words = line.words;
+  walk.faces = line.words;
   return walk;
 }
 
@@ -114,7 +115,7 @@ Line fast, slow;
 void make_looks(Random& random, Line& line) {
   for (std::uint16_t& color : colors) color = static_cast<std::uint16_t>(random.below(0x10000));
   for (FaceId face = 1; face <= kFaces; ++face) {
-    line.words[face] = face;
+    line.slots[face] = static_cast<std::uint8_t>(face);
     const auto part = [&] { return static_cast<std::uint32_t>(random.next()); };
     line.looks[face] = {{part(), part() >> 6, part() >> 6}, face, kKnown};
     if (random.percent(5)) line.looks[face].face = 1;
@@ -136,10 +137,11 @@ void compare(bool smooth) {
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
     SmoothBrush brush(fast.looks);
-    brush.begin_line(y);
+    brush.begin_line(y, fast.words[0]);
     brush.dip(kKnown, colors);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
     at_fast.painter = &brush;
+    if (smooth) at_fast.faces = fast.slots;
     for (;;) {
       const WalkStop stop = smooth ? smooth_walk(at_fast) : flat_walk(at_fast);
       ASSERT_TRUE(stop == walk_slowly(at_slow, slow, y, smooth)) << "seed " << seed;

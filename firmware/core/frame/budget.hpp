@@ -41,13 +41,13 @@ struct Budget {
   std::uint16_t lines = 0;    // edges of all that is visible, 14 bytes each: the picture is of lines, and the pools are
                               // those of LineMemory; 0: of surfaces
   bool gouraud = true;        // room for colours along edges, 28 bytes a segment; without it Gouraud facets are flat
-  // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, `facets`),
-  // the place of every vertex (6 bytes each, `vertices`), the edges of one line, which may be shared by two faces (32
-  // bytes each, `edges`), and some depth planes. For the other pools see above.
+  // Whose pools there are: those of FrameOptions::walker. The edge walker keeps every face (2 bytes each, or one where
+  // gouraud: `facets`), the place of every vertex (6 bytes each, 7 where gouraud: `vertices`), the edges of one line,
+  // which may be shared by two faces (32 bytes each, `edges`), and some depth planes. For the other pools see above.
   Walker walker = Walker::segments;
   // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes
-  // each. Powers of two less one, since one more of each is there. looks 0: 15 for the segment walker, 127 for the
-  // others.
+  // each. Powers of two less one, since one more of each is there; of looks the edge walker takes any number up to 254.
+  // looks 0: 15 for the segment walker, 127 for the others.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
   ScanPolicy scan_out = ScanPolicy::full;  // ScanOutMemory: extents take 4 bytes a line, tiles 4 more for each tile

@@ -54,6 +54,25 @@ class FaceWords {
   std::uint16_t not_drawn_ = 0x2008;
 };
 
+// Of each face the number of its look (SmoothCache), which may be another face's by now, or that it is not drawn.
+class FaceSlots {
+ public:
+  FaceSlots() = default;
+  explicit FaceSlots(PoolRef<std::uint8_t> slots) : slots_(slots) {}
+
+  std::uint16_t capacity() const { return slots_.capacity(); }
+  std::uint8_t& operator[](FaceId face) { return slots_[face]; }
+  bool drawn(FaceId face) const { return slots_[face] != kHidden; }
+  void hide(FaceId face) { slots_[face] = kHidden; }
+  void show(FaceId face) { slots_[face] = 0; }
+
+ private:
+  static constexpr std::uint8_t kHidden = 0xff;
+  static_assert(kHidden > SmoothCache::kMostLooks);
+
+  PoolRef<std::uint8_t> slots_;
+};
+
 template <bool kTaps>
 class MeshLines {
  public:
@@ -96,6 +115,7 @@ class MeshLines {
   SmoothCache smooth_;
   SmoothBrush brush_;
   FaceWords words_;
+  FaceSlots slots_;  // in their place where faces may be smooth
   DepthRows rows_;
   InstanceCursor cursor_;
   EdgeWalker walker_;

@@ -23,7 +23,11 @@ struct MeshLines<kTaps>::Sink {
 
   void begin(LineWalk& walk) const {
     walk.pixels = painter.out();
-    walk.words = &mesh.words_[0];
+    if (kPaint == Paint::smooth_words) {
+      walk.faces = &mesh.slots_[0];
+    } else {
+      walk.faces = &mesh.words_[0];
+    }
     walk.painter = &mesh.brush_;
   }
   WalkStop run(LineWalk& walk) const {
@@ -40,7 +44,7 @@ struct MeshLines<kTaps>::Sink {
   }
   // Sees to the look of a face, and that the brush knows it; false where it is one colour.
   bool learn(FaceId face) const {
-    const FaceLook& look = mesh.smooth_.look(face, mesh.words_[face], [this](FaceId f) { return mesh.look_of(f); });
+    const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], [this](FaceId f) { return mesh.look_of(f); });
     if (!look.smooth()) return false;
     if (!mesh.brush_.knows(face, look)) {
       mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene().materials));
@@ -64,7 +68,7 @@ struct MeshLines<kTaps>::Sink {
       if constexpr (kPaint == Paint::flat_words) {
         return fill_span(painter.out(), left, right, mesh.words_[face]);
       }
-      const FaceLook& look = mesh.brush_.look(mesh.words_[face]);
+      const FaceLook& look = mesh.brush_.look(mesh.slots_[face]);
       if (mesh.brush_.knows(face, look)) {
         return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
       }
@@ -75,10 +79,13 @@ struct MeshLines<kTaps>::Sink {
  private:
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
-    const std::uint16_t& word = mesh.words_[face];
-    if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) return painter.fill(left, right, word);
-    if (!learn(face)) return painter.fill(left, right, mesh.brush_.look(word).color());
-    painter.smooth(left, right, mesh.brush_.look(word).plane, mesh.brush_.colors());
+    if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) {
+      return painter.fill(left, right, mesh.words_[face]);
+    }
+    const bool smooth = learn(face);
+    const FaceLook& look = mesh.brush_.look(mesh.slots_[face]);
+    if (!smooth) return painter.fill(left, right, look.color());
+    painter.smooth(left, right, look.plane, mesh.brush_.colors());
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if (tap.span == nullptr) return;
@@ -87,7 +94,7 @@ struct MeshLines<kTaps>::Sink {
     span.left = static_cast<std::uint16_t>(left);
     span.right = static_cast<std::uint16_t>(right);
     span.face = static_cast<std::uint16_t>(face - 1);
-    span.payload = mesh.words_[face];
+    if (!mesh.smooth_.on()) span.payload = mesh.words_[face];
     span.depth = ramp;
     tap.span(tap.context, span);
   }
@@ -100,6 +107,7 @@ MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
       levels_(storage.mesh.levels),
       smooth_(storage.smooth, storage.screen.format),
       words_(storage.mesh.faces),
+      slots_(storage.mesh.slots),
       walker_(storage.mesh.walker, storage.screen) {}
 
 template <bool kTaps>
@@ -131,7 +139,8 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
     return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
   };
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
-  if (scene.face_count() > words_.capacity()) return short_of("facets", scene.face_count(), words_.capacity());
+  const std::uint16_t faces = smooth_.on() ? slots_.capacity() : words_.capacity();
+  if (scene.face_count() > faces) return short_of("facets", scene.face_count(), faces);
   if (!scene.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   if (smooth_.on()) {
@@ -235,11 +244,11 @@ void MeshLines<kTaps>::light(const InstanceCursor& at) {
     for (std::uint32_t i = 0; i < group.face_count; ++i, corner += 3) {
       ++id;
       if (!is_front(points[corner[0]], points[corner[1]], points[corner[2]])) {
-        words_.hide(id);
+        smooth ? slots_.hide(id) : words_.hide(id);
         continue;
       }
       if (smooth) {
-        words_.set(id, 0);
+        slots_.show(id);
       } else if (quick && !unlit) {
         const Rgb8 color = rig.grey_shade(mesh.face_normals[group.first_face + i], own, false);
         words_.set(id, rgb565_wire(color.r, color.g, color.b));
@@ -265,8 +274,10 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
   }
   if (walker_.is_quiet(line)) {
     walker_.start_none();
-  } else if (!walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); })) {
-    return give_up(false);
+  } else {
+    const bool room = smooth_.on() ? walker_.start_edges(line, [this](FaceId face) { return slots_.drawn(face); })
+                                   : walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); });
+    if (!room) return give_up(false);
   }
   const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
   const auto walk = [&]<Paint kPaint>(Sink<kPaint>* none) {
@@ -277,7 +288,7 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
   if (screen_.format != PixelFormat::rgb565) {
     whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
   } else if (smooth_.on()) {
-    brush_.begin_line(line);
+    brush_.begin_line(line, painter.background());
     whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
   } else {
     whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));

@@ -23,7 +23,8 @@ struct WaitingFacet {
 // What the edge walker's side of a frame uses.
 struct MeshStorage {
   EdgeStorage walker;
-  PoolRef<std::uint16_t> faces;  // of the scene: what each of them looks like
+  PoolRef<std::uint16_t> faces;  // of the scene: the colour of each, where all are flat
+  PoolRef<std::uint8_t> slots;   // else the number of its look among those that are kept
   PoolRef<Brightness> levels;    // of vertices, where Gouraud's materials are drawn as such
 };
 
@@ -158,6 +159,7 @@ class MeshPools {
     }
     storage.mesh = {{points_.ref(), links_.ref(), buckets_.ref(), {edges_[0].ref(), edges_[1].ref()}, planes_.ref()},
                     faces_.ref(),
+                    slots_.ref(),
                     levels_.ref()};
   }
 
@@ -165,7 +167,8 @@ class MeshPools {
   Pool<ScreenXY, kBudget.vertices> points_;
   Pool<std::uint16_t, kBudget.vertices> links_;
   Pool<std::uint16_t, kBudget.height> buckets_;
-  Pool<std::uint16_t, kBudget.facets> faces_;
+  Pool<std::uint16_t, kBudget.gouraud ? 0 : kBudget.facets> faces_;
+  Pool<std::uint8_t, kBudget.gouraud ? kBudget.facets : 0> slots_;
   Pool<ActiveEdge, kBudget.edges> edges_[2];
   Pool<CachedPlane, kBudget.planes> planes_;
   Pool<Brightness, kBudget.gouraud ? kBudget.vertices : 0> levels_;

@@ -59,16 +59,20 @@ struct SmoothStorage {
 // The looks and tables made last: tables each in the place that its number gives it, looks there or by turns.
 class SmoothCache {
  public:
+  static constexpr std::uint32_t kMostLooks = 254;  // that are used
+
   SmoothCache() = default;
   SmoothCache(const SmoothStorage& storage, PixelFormat format)
       : looks_(storage.looks),
         tables_(storage.tables),
         look_mask_(std::bit_floor(storage.looks.capacity() + 1u) - 1u),
         table_mask_(std::bit_floor(storage.tables.capacity() + 1u) - 1u),
-        format_(format) {}
+        format_(format) {
+    looks_.limit(kMostLooks);
+  }
 
   bool on() const { return looks_.capacity() != 0; }
-  const FaceLook* looks() const { return &looks_[0]; }  // by the words of faces
+  const FaceLook* looks() const { return &looks_[0]; }  // by the slots of faces
 
   // At the beginning of a frame.
   void clear();
@@ -83,13 +87,13 @@ class SmoothCache {
     }
     return look;
   }
-  // The same where each face has a word for the number of its look: the look made first gives way. 0: none made yet.
+  // The same where each face has a slot for the number of its look: the look made first gives way. 0: none made yet.
   template <typename Make>
-  const FaceLook& look(FaceId face, std::uint16_t& word, const Make& make) {
-    FaceLook& last = looks_[word];
+  const FaceLook& look(FaceId face, std::uint8_t& slot, const Make& make) {
+    FaceLook& last = looks_[slot];
     if (last.face == face) return last;
-    oldest_ = oldest_ == looks_.capacity() ? std::uint16_t{1} : static_cast<std::uint16_t>(oldest_ + 1);
-    word = oldest_;
+    oldest_ = oldest_ == looks_.capacity() ? std::uint8_t{1} : static_cast<std::uint8_t>(oldest_ + 1);
+    slot = oldest_;
     looks_[oldest_] = make(face);
     looks_[oldest_].face = face;
     return looks_[oldest_];
@@ -107,7 +111,7 @@ class SmoothCache {
   PoolRef<FaceLook> looks_;
   PoolRef<ColorTable> tables_;
   std::uint32_t look_mask_ = 0, table_mask_ = 0;
-  std::uint16_t oldest_ = 0;
+  std::uint8_t oldest_ = 0;
   PixelFormat format_ = PixelFormat::rgb565;
 };
 

@@ -5,9 +5,10 @@
 
 namespace spanline {
 
-// A face's word is its colour. For any core.
+// LineWalk::faces are words, the faces' colours. For any core.
 inline WalkStop flat_walk_plain(LineWalk& walk) {
-  const auto paint = [pixels = walk.pixels, words = walk.words](std::int32_t left, std::int32_t right, FaceId face) {
+  const auto paint = [pixels = walk.pixels, words = static_cast<const std::uint16_t*>(walk.faces)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
     fill_span(pixels, left, right, words[face]);
     return true;
   };

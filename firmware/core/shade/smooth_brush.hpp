@@ -11,19 +11,23 @@ class SmoothBrush {
   SmoothBrush() = default;
   explicit SmoothBrush(const FaceLook* looks) : looks_(looks) {}
 
-  void begin_line(std::uint16_t line) { line_ = line; }
+  void begin_line(std::uint16_t line, std::uint16_t background) {
+    line_ = line;
+    background_ = background;
+  }
   // `colors` are those that were looked up last: no other material's take their place.
   void dip(std::uint16_t material, const std::uint16_t* colors) {
     material_ = std::uint32_t{material} << 16;
     colors_ = colors;
   }
 
-  const FaceLook& look(std::uint16_t word) const { return looks_[word]; }
+  const FaceLook& look(std::uint8_t slot) const { return looks_[slot]; }
   // Whether it is this face's, and of the brush's material.
   bool knows(FaceId face, const FaceLook& look) const {
     return (look.face | std::uint32_t{look.material} << 16) == (face | material_);
   }
   std::uint32_t line() const { return line_; }
+  std::uint16_t background() const { return static_cast<std::uint16_t>(background_); }
   const std::uint16_t* colors() const { return colors_; }
 
  private:
@@ -33,6 +37,7 @@ class SmoothBrush {
   std::uint32_t material_ = kDry;  // in the upper half
   std::uint32_t line_ = 0;
   const std::uint16_t* colors_ = nullptr;
+  std::uint32_t background_ = 0;
 };
 
 }  // namespace spanline

@@ -6,15 +6,16 @@
 
 namespace spanline {
 
-// A face's word is the number of its look; LineWalk::painter is a SmoothBrush. For any core.
+// LineWalk::faces are bytes, the numbers of their looks; LineWalk::painter is a SmoothBrush. For any core.
 inline WalkStop smooth_walk_plain(LineWalk& walk) {
-  const auto paint = [pixels = walk.pixels, words = walk.words, brush = *static_cast<const SmoothBrush*>(walk.painter)](
-                         std::int32_t left, std::int32_t right, FaceId face) {
+  const auto paint = [pixels = walk.pixels, slots = static_cast<const std::uint8_t*>(walk.faces),
+                      brush = *static_cast<const SmoothBrush*>(walk.painter)](std::int32_t left, std::int32_t right,
+                                                                              FaceId face) {
     if (face == 0) {
-      fill_span(pixels, left, right, words[0]);
+      fill_span(pixels, left, right, brush.background());
       return true;
     }
-    const FaceLook& look = brush.look(words[face]);
+    const FaceLook& look = brush.look(slots[face]);
     if (!brush.knows(face, look)) [[unlikely]]
       return false;
     smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());

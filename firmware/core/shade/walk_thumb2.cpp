@@ -9,7 +9,7 @@
 
 namespace spanline {
 
-static_assert(offsetof(LineWalk, edge) == 0 && offsetof(LineWalk, words) == 28, "loaded by one instruction");
+static_assert(offsetof(LineWalk, edge) == 0 && offsetof(LineWalk, faces) == 28, "loaded by one instruction");
 static_assert(offsetof(LineWalk, furthest) == 20, "stored by one instruction");
 static_assert(offsetof(LineWalk, pixels) == 24 && offsetof(LineWalk, fresh) == 32 && offsetof(LineWalk, side) == 36);
 static_assert(offsetof(LineWalk, begin) == 40 && offsetof(LineWalk, painter) == 44);
@@ -19,19 +19,18 @@ static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop
               static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
 static_assert(sizeof(FaceLook) == 16 && offsetof(FaceLook, plane) == 0 && offsetof(FaceLook, face) == 12);
 static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
-static_assert(sizeof(SmoothBrush) == 16, "looks, material, line, colours");
+static_assert(sizeof(SmoothBrush) == 20, "looks, material, line, colours, background");
 
 asm(R"(
     .syntax unified
     .thumb
 
-@ Throughout: r1 edge, r2 out, r7 limit, r8 left, r9 key, r10 furthest, r11 pixels, r12 words; [sp] the walk.
+@ Throughout: r1 edge, r2 out, r7 limit, r8 left, r9 key, r10 furthest, r11 pixels, r12 faces; [sp] the walk.
 @ The edge at hand: r3 x, r4 dx, r5 toggle, r6 rest.
 
-@ Fills the span up to the column of x = r3 with the word of the face lr, up to eight pixels too far. Takes r0, r3 to r6
-@ and lr; left comes to the column.
+@ Fills the span up to the column of x = r3 with r4, up to eight pixels too far. Takes r0, r3 to r6 and lr; left comes to
+@ the column.
     .macro fill_span
-    ldrh r4, [r12, lr, lsl #1]
     add r0, r11, r8, lsl #1
     tst r8, #1
     it ne
@@ -55,16 +54,18 @@ asm(R"(
 @ The span of face r9.
     .macro flat_span unknown
     uxth lr, r9
+    ldrh r4, [r12, lr, lsl #1]
     fill_span
     .endm
 
 @ The same with the face's brightness, one pixel too far; to `unknown` where the brush does not know it.
     .macro smooth_span unknown
-    uxth lr, r9
-    cbz_high lr, 8f
     ldr r0, [sp]
+    uxth lr, r9
     ldr r0, [r0, #44]
-    ldrh r4, [r12, lr, lsl #1]
+    cmp lr, #0
+    beq 8f
+    ldrb r4, [r12, lr]
     ldm r0, {r0, r5, r6}            @ looks, material, line
     add r4, r0, r4, lsl #4
     orr r5, lr
@@ -89,11 +90,8 @@ asm(R"(
     cmp r0, r3
     blo 7b
     b 9f
-8:  fill_span
-    .endm
-    .macro cbz_high register, label
-    cmp \register, #0
-    beq \label
+8:  ldrh r4, [r0, #16]
+    fill_span
     .endm
 
 @ Words of r4 from r0 on up to r3, more than 16 pixels from where the span began.

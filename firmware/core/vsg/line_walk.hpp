@@ -13,18 +13,18 @@ void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edg
 
 // Assembly knows where each member stands.
 struct LineWalk {
-  const ActiveEdge* edge;  // the next of those alive
-  ActiveEdge* out;         // behind the last of the next line's
-  std::int32_t limit;      // the next edge is of those that begin, or at the right end, where edge->x is beyond this
-  std::int32_t left;       // the column come to
-  CoverKey key;            // of the pixels from there on
-  std::int32_t furthest;   // x of out[-1]
-  std::uint8_t* pixels;    // of the line, on a word boundary
-  const std::uint16_t* words;  // of faces, by their ids
-  const ActiveEdge* fresh;     // the next of those that begin on this line
-  std::int32_t side;           // up to this x a span that ends there may overshoot
-  ActiveEdge* begin;           // the first of the next line's
-  const void* painter;         // what else is painted with
+  const ActiveEdge* edge;   // the next of those alive
+  ActiveEdge* out;          // behind the last of the next line's
+  std::int32_t limit;       // the next edge is of those that begin, or at the right end, where edge->x is beyond this
+  std::int32_t left;        // the column come to
+  CoverKey key;             // of the pixels from there on
+  std::int32_t furthest;    // x of out[-1]
+  std::uint8_t* pixels;     // of the line, on a word boundary
+  const void* faces;        // what the painter knows of each, by its id
+  const ActiveEdge* fresh;  // the next of those that begin on this line
+  std::int32_t side;        // up to this x a span that ends there may overshoot
+  ActiveEdge* begin;        // the first of the next line's
+  const void* painter;      // what else is painted with
 
   // What lies beyond `side` is at the right end.
   static constexpr std::int32_t side_of(std::int32_t width) {
