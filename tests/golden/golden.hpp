@@ -42,6 +42,8 @@ inline constexpr Picture kPictures[] = {
     {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
     {"panes-wide-30", demos::panes, 30, kWide, 0x3450a3c7},
     {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
+    {"patches-oled-60", demos::patches, 60, kOled, 0x929da79d},
+    {"patches-mono-150", demos::patches, 150, kMono, 0x7b450b8a},
 };
 
 // Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.
@@ -53,14 +55,15 @@ inline constexpr Budget kBudget{.width = 320,
                                 .edges = 320,
                                 .segments = 80,
                                 .active = 24,
+                                .patch_facets = 110,
+                                .patch_vertices = 244,
                                 .layers = 24};
 inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
 
-// Draws what is on the stage in one way.
-template <FrameOptions kOptions>
-Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
-                  std::uint32_t& crc) {
-  Frame<kOptions> frame(storage);
+// Draws what is on the stage; every demo by the same kind of frame, to fit the flash.
+inline Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
+                         std::uint32_t& crc) {
+  Frame<FrameOptions{.patches = true, .layers = true}> frame(storage);
   Crc32 sum;
   for (Band rest{0, storage.screen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
@@ -80,9 +83,7 @@ inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& s
   if (!status.ok()) return status;
   stage.show(picture.frame);
   storage.screen = picture.screen;
-  constexpr FrameOptions kLayers{.layers = true};
-  return stage.view().layered() ? draw_stage<kLayers>(storage, stage, line, crc)
-                                : draw_stage<FrameOptions{}>(storage, stage, line, crc);
+  return draw_stage(storage, stage, line, crc);
 }
 
 }  // namespace spanline::golden

@@ -13,4 +13,4 @@ sh "$here/image_checks.sh" "$2/golden.elf"
 sh "$here/emulate.sh" "$5" "$2/golden.elf" > "$report" || status=$?
 cat "$report"
 [ "$status" -eq 0 ] || { echo "the image ended with $status"; exit 1; }
-[ "$(grep -c '^golden=.* same$' "$report")" -eq 16 ] || { echo "sixteen pictures expected"; exit 1; }
+[ "$(grep -c '^golden=.* same$' "$report")" -eq 18 ] || { echo "eighteen pictures expected"; exit 1; }

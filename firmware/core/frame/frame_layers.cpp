@@ -3,5 +3,6 @@
 namespace spanline {
 
 template class Frame<FrameOptions{.comparator = Comparator::plane, .layers = true}>;
+template class Frame<FrameOptions{.patches = true, .layers = true}>;
 
 }  // namespace spanline
