@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "assetc/text_file.hpp"
 #include "host/support.hpp"
@@ -40,6 +41,7 @@ TEST(CommandLine, WrongUsageIsTwo) {
       {"render", kCube, "--out", "o.gif"},
       {"render", kCube, "--out", "o.ppm", "extra"},
       {"render", kCube, "--out", "o.ppm", "--unknown"},
+      {"render", kCube, "--out", "o.ppm", "--surface", "voxels"},
       {"render", "good/good.mtl", "--out", "o.ppm"},
       {"render", kCube, "--out", "o.ppm", "--size", "0x0"},
       {"render", kCube, "--out", "o.ppm", "--size", "100000x100000"},
@@ -142,6 +144,28 @@ TEST(CommandLine, ExpectComparesPictures) {
   EXPECT_NE(other.err.find(" of 1200 pixels differ"), std::string::npos) << other.err;
   EXPECT_EQ(run_tool({"render", kCube, "--size", "41x30", "--expect", png}).exit_code, 1);
   EXPECT_EQ(run_tool({"render", kCube, "--expect", "good/cube.obj"}).exit_code, 1);
+}
+
+TEST(CommandLine, PointsAreAnotherWayToDrawPatches) {
+  const TemporaryFolder folder;
+  const std::string assets = SPANLINE_ASSETS, teapot = assets + "/teapot.bpt";
+  const auto draw = [&](const std::string& scene, const std::string& out, const std::string& surface) {
+    return run_tool({"render", scene, "--up", "0,0,1", "--surface", surface, "--out", folder.file(out)});
+  };
+  EXPECT_EQ(draw(teapot, "points.ppm", "points").exit_code, 0);
+  EXPECT_EQ(draw(teapot, "dice.ppm", "dice").exit_code, 0);
+  EXPECT_NE(read_file(folder.file("points.ppm")), read_file(folder.file("dice.ppm")));
+  EXPECT_EQ(draw(kCube, "mesh.ppm", "points").exit_code, 0);
+
+  const std::string scene = folder.file("glass.json");
+  std::ofstream(scene) << R"({"materials":[{"name":"g","color":[1,1,1],"opacity":0.5}],"meshes":[{"name":"p","bpt":")"
+                       << teapot << R"("},{"name":"c","obj":")" << assets
+                       << R"(/cubes.obj"}],"instances":[{"mesh":"p"},{"mesh":"c","material":"g"}]})";
+  const ToolRun refused = draw(scene, "glass.ppm", "points");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+  EXPECT_NE(refused.err.find("--surface points"), std::string::npos) << refused.err;
+  EXPECT_EQ(draw(scene, "glass.ppm", "dice").exit_code, 0);
 }
 
 TEST(CommandLine, AFullPoolWarnsAndNamesIt) {
