@@ -12,15 +12,23 @@ namespace {
 
 using oracle::Random;
 
+template <bool kDivide>
+EdgeRun begin_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
+  ActiveEdge edge{static_cast<std::int32_t>(PackedXY(bottom).word), 0, 0, 0};
+  FromVertex(top, line).run<kDivide>(edge);
+  return {edge.x, edge.dx, static_cast<std::int32_t>(edge.rest / ActiveEdge::kOneLine) + 1};
+}
+
 // Counts the lines of an edge, from `first` on, whose column is not the exact one; begins again where a run ends.
+template <bool kDivide>
 int wrong_lines(ScreenXY top, ScreenXY bottom, std::int32_t first, int& lines) {
   ScreenEdge edge;
   edge.top.at = top;
   edge.bottom.at = bottom;
   SegmentHalf exact = start_edge(edge, first, false);
-  const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y, end = first_centre(bottom.y);
+  const std::int32_t end = first_centre(bottom.y);
   int wrong = 0;
-  EdgeRun run = is_small(dx, dy) ? start_small_run(top, dx, dy, first, end - first) : start_run(top, bottom, first);
+  EdgeRun run = begin_run<kDivide>(top, bottom, first);
   for (std::int32_t line = first; line < end; ++line) {
     if (run.lines == 0) run = start_run(top, bottom, line);
     wrong += run.x >> ActiveEdge::kFraction != exact.column;
@@ -54,8 +62,11 @@ class EdgeRule : public testing::TestWithParam<int> {
       const ScreenXY bottom = near_centre(random, top, dx, dy);
       const std::int32_t begin = first_centre(top.y), end = first_centre(bottom.y);
       if (begin >= end) continue;
-      wrong += wrong_lines(top, bottom, begin, lines);
-      wrong += wrong_lines(top, bottom, random.between(begin, end - 1), lines);
+      wrong += wrong_lines<true>(top, bottom, begin, lines);
+      wrong += wrong_lines<true>(top, bottom, random.between(begin, end - 1), lines);
+      if (dy >= SlopeByTable::kTallest) continue;
+      wrong += wrong_lines<false>(top, bottom, begin, lines);
+      wrong += wrong_lines<false>(top, bottom, random.between(begin, end - 1), lines);
     }
     EXPECT_EQ(wrong, 0) << "of " << lines;
     EXPECT_GT(lines, 1000);
@@ -63,6 +74,7 @@ class EdgeRule : public testing::TestWithParam<int> {
 };
 
 TEST_P(EdgeRule, IsExactForSmallEdges) { try_edges(scene_count(400000, 20000000), 1, 160, 700); }
+TEST_P(EdgeRule, IsExactForWideEdges) { try_edges(scene_count(200000, 20000000), 120, 245, 2047); }
 TEST_P(EdgeRule, IsExactUpToTheTallestOfThem) { try_edges(scene_count(100000, 4000000), 800, kTallEdge, 2047); }
 TEST_P(EdgeRule, IsExactForTallAndWideEdges) { try_edges(scene_count(40000, 2000000), kTallEdge - 8, 16000, 15000); }
 TEST_P(EdgeRule, IsExactForFlatEdges) { try_edges(scene_count(200000, 4000000), 1, 300, 15000); }

@@ -22,6 +22,7 @@ class DepthRows {
   const CameraRecord* camera_ = nullptr;
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
+  Normaliser normaliser_;
   ClipRow ahead_;                        // that leads to w
   std::uint32_t instance_ = UINT32_MAX;  // of the row
 };
@@ -37,7 +38,7 @@ inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& 
   const ScreenXY* const point = &points[cursor_.first_vertex() + 1];
   const Position* const position = mesh.positions.data();
   // Inside the view, and the matrix fits, else the walker would not have begun.
-  const auto depth = [&](int i) { return projection_.depth(ahead_.at(position[corner[i]])); };
+  const auto depth = [&](int i) { return projection_.depth(ahead_.at(position[corner[i]]), normaliser_); };
   return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
 }
 

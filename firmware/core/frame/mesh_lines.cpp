@@ -3,20 +3,23 @@
 
 namespace spanline {
 
-void FaceWords::avoid(FaceId face) {
+// Takes another value for what is not drawn, which none of the words before `next` has.
+std::uint16_t FaceWords::avoid(const std::uint16_t* next) {
   const std::uint16_t old = not_drawn_;
+  std::uint16_t* const first = &words_[1];
   const auto taken = [&] {
-    for (FaceId f = 1; f < face; ++f) {
-      if (words_[f] == not_drawn_) return true;
+    for (const std::uint16_t* word = first; word != next; ++word) {
+      if (*word == not_drawn_) return true;
     }
     return false;
   };
   do {
     not_drawn_ = static_cast<std::uint16_t>(not_drawn_ + 0x9e37);  // odd: comes round every value
   } while (not_drawn_ == old || taken());
-  for (FaceId f = 1; f < face; ++f) {
-    if (words_[f] == old) words_[f] = not_drawn_;
+  for (std::uint16_t* word = first; word != next; ++word) {
+    if (*word == old) *word = not_drawn_;
   }
+  return not_drawn_;
 }
 
 Status check_band(Band rest, const Screen& screen) {

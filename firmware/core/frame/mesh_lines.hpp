@@ -39,16 +39,28 @@ class FaceWords {
 
   std::uint16_t capacity() const { return words_.capacity(); }
   std::uint16_t& operator[](FaceId face) { return words_[face]; }
-  bool drawn(FaceId face) const { return words_[face] != not_drawn_; }
-  void hide(FaceId face) { words_[face] = not_drawn_; }
-  // `count`: faces set or hidden so far, from the first on.
-  void set(FaceId face, std::uint16_t color) {
-    if (color == not_drawn_) avoid(face);
-    words_[face] = color;
-  }
+  DrawnFaces<std::uint16_t> drawn() const { return {&words_[0], not_drawn_}; }
+
+  // Sets faces one after another, from one on; those before it are set.
+  class Run {
+   public:
+    Run(FaceWords& words, FaceId first) : words_(words), next_(&words.words_[first]), not_drawn_(words.not_drawn_) {}
+    void hide() { *next_++ = not_drawn_; }
+    void set(std::uint16_t color) {
+      if (color == not_drawn_) [[unlikely]]
+        not_drawn_ = words_.avoid(next_);
+      *next_++ = color;
+    }
+
+   private:
+    FaceWords& words_;
+    std::uint16_t* next_;
+    std::uint16_t not_drawn_;
+  };
+  Run from(FaceId first) { return {*this, first}; }
 
  private:
-  void avoid(FaceId face);
+  std::uint16_t avoid(const std::uint16_t* next);
 
   PoolRef<std::uint16_t> words_;
   std::uint16_t not_drawn_ = 0x2008;
@@ -62,9 +74,19 @@ class FaceSlots {
 
   std::uint16_t capacity() const { return slots_.capacity(); }
   std::uint8_t& operator[](FaceId face) { return slots_[face]; }
-  bool drawn(FaceId face) const { return slots_[face] != kHidden; }
-  void hide(FaceId face) { slots_[face] = kHidden; }
-  void show(FaceId face) { slots_[face] = 0; }
+  DrawnFaces<std::uint8_t> drawn() const { return {&slots_[0], kHidden}; }
+
+  // As FaceWords::Run; a face that is shown has no look yet.
+  class Run {
+   public:
+    explicit Run(std::uint8_t* first) : next_(first) {}
+    void hide() { *next_++ = kHidden; }
+    void set(std::uint16_t) { *next_++ = 0; }
+
+   private:
+    std::uint8_t* next_;
+  };
+  Run from(FaceId first) { return Run(&slots_[first]); }
 
  private:
   static constexpr std::uint8_t kHidden = 0xff;
@@ -106,6 +128,8 @@ class MeshLines {
   bool give_up(bool overlaps);
   bool project(const InstanceCursor& at);
   void light(const InstanceCursor& at);
+  template <typename Run, typename WordOf>
+  void show_fronts(const InstanceCursor& at, const FaceGroup& group, Run words, const WordOf& word_of);
 
   SceneView scene_;
   CameraRecord camera_{};

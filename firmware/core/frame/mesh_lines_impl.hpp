@@ -108,7 +108,9 @@ MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
       smooth_(storage.smooth, storage.screen.format),
       words_(storage.mesh.faces),
       slots_(storage.mesh.slots),
-      walker_(storage.mesh.walker, storage.screen) {}
+      walker_(storage.mesh.walker, storage.screen) {
+  points_.limit(VertexBuckets::kMostVertices);
+}
 
 template <bool kTaps>
 Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
@@ -216,14 +218,15 @@ bool MeshLines<kTaps>::project(const InstanceCursor& at) {
   if (matrix.mirrored || !matrix.fits()) return false;
   const Projection projection(camera_, screen_);
   const ClipRow x(matrix, 0), y(matrix, 1), w(matrix, 2);
-  std::uint32_t vertex = at.first_vertex();
-  ScreenXY* point = &points_[vertex];
+  const bool surely = projection.holds(matrix);
+  Normaliser normaliser;
+  ScreenXY* point = &points_[at.first_vertex()];
   for (const Position& position : at.mesh().positions) {
     const ClipPoint clip{x.at(position), y.at(position), w.at(position)};
-    if (!projection.inside(clip)) return false;
-    *++point = projection.place(clip);
-    walker_.forget(vertex++);
+    if (!surely && !projection.inside(clip)) return false;
+    *++point = projection.place(clip, normaliser);
   }
+  walker_.vertices(at.first_vertex()).forget(at.mesh().positions.size());
   return true;
 }
 
@@ -232,34 +235,51 @@ template <bool kTaps>
 void MeshLines<kTaps>::light(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   const LightRig rig(scene_.scene(), at.instance().transform);
-  const bool smooth = smooth_.on(), lit = smooth && !mesh.vertex_normals.empty();
-  const bool quick = rig.grey() && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
-  const ScreenXY* const points = &points_[at.first_vertex() + 1];
-  const std::uint16_t* corner = mesh.corners.data();
-  auto id = static_cast<FaceId>(at.first_face());
+  const bool smooth = smooth_.on();
+  const LightRig::One one = rig.one();
+  const bool quick = !smooth && rig.simple() && one.most() <= 256 && !mesh.face_normals.empty() &&
+                     screen_.format == PixelFormat::rgb565;
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
-    const bool unlit = material.shading == MaterialRecord::kUnlit;
-    const Rgb8 own = material.color;
-    for (std::uint32_t i = 0; i < group.face_count; ++i, corner += 3) {
-      ++id;
-      if (!is_front(points[corner[0]], points[corner[1]], points[corner[2]])) {
-        smooth ? slots_.hide(id) : words_.hide(id);
-        continue;
-      }
-      if (smooth) {
-        slots_.show(id);
-      } else if (quick && !unlit) {
-        const Rgb8 color = rig.grey_shade(mesh.face_normals[group.first_face + i], own, false);
-        words_.set(id, rgb565_wire(color.r, color.g, color.b));
-      } else {
-        words_.set(id, flat_color(at, group.first_face + i, material, rig));
-      }
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t vertex = at.first_vertex() + corner[k];
-        if (walker_.file(vertex) && lit) levels_[vertex + 1] = rig.brightness(mesh.vertex_normals[corner[k]], false);
-      }
+    const auto first = static_cast<FaceId>(at.first_face() + 1u + group.first_face);
+    if (smooth) {
+      show_fronts(at, group, slots_.from(first), [](std::uint32_t) { return std::uint16_t{0}; });
+    } else if (quick && material.shading != MaterialRecord::kUnlit) {
+      show_fronts(at, group, words_.from(first),
+                  [one, color = material.color, normals = mesh.face_normals.data()](std::uint32_t face) {
+                    return lit_rgb565_wire(color, one.sum(normals[face]));
+                  });
+    } else {
+      show_fronts(at, group, words_.from(first),
+                  [&](std::uint32_t face) { return flat_color(at, face, material, rig); });
     }
+  }
+  if (!smooth || mesh.vertex_normals.empty()) return;
+  const VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
+  Brightness* const level = &levels_[at.first_vertex() + 1];
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (vertices.filed(v)) level[v] = rig.brightness(mesh.vertex_normals[v], false);
+  }
+}
+
+// Gives the faces of a group that are fronts their words, word_of(mesh face), and files their vertices.
+template <bool kTaps>
+template <typename Run, typename WordOf>
+void MeshLines<kTaps>::show_fronts(const InstanceCursor& at, const FaceGroup& group, Run words, const WordOf& word_of) {
+  const ScreenXY* const points = &points_[at.first_vertex() + 1];
+  VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
+  const std::uint16_t* corner = at.mesh().corners.data() + 3u * group.first_face;
+  const std::uint32_t end = group.first_face + std::uint32_t{group.face_count};
+  for (std::uint32_t face = group.first_face; face != end; ++face, corner += 3) {
+    const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
+    if (!is_front(points[a], points[b], points[c])) {
+      words.hide();
+      continue;
+    }
+    words.set(word_of(face));
+    vertices.file(a);
+    vertices.file(b);
+    vertices.file(c);
   }
 }
 
@@ -275,8 +295,8 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
   if (walker_.is_quiet(line)) {
     walker_.start_none();
   } else {
-    const bool room = smooth_.on() ? walker_.start_edges(line, [this](FaceId face) { return slots_.drawn(face); })
-                                   : walker_.start_edges(line, [this](FaceId face) { return words_.drawn(face); });
+    const bool room =
+        smooth_.on() ? walker_.start_edges(line, slots_.drawn()) : walker_.start_edges(line, words_.drawn());
     if (!room) return give_up(false);
   }
   const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };

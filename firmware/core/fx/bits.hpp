@@ -7,11 +7,12 @@
 namespace spanline {
 
 // Whether the core multiplies 32 bits by 32 to 64. ARMv6-M (M0, M0+) keeps the lower half only, and calls a function of
-// some forty instructions for the whole; there such products are put together from halves.
+// some forty instructions for the whole; there such products are put together from halves. Nor does it divide, which
+// takes a function of more than a hundred, or count leading zeros.
 #if defined(__ARM_ARCH_6M__)
-inline constexpr bool kLongMultiply = false;
+inline constexpr bool kLongMultiply = false, kDivides = false, kCountsZeros = false;
 #else
-inline constexpr bool kLongMultiply = true;
+inline constexpr bool kLongMultiply = true, kDivides = true, kCountsZeros = true;
 #endif
 
 // mul_high() by products of 16 bits.

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+
+#include "core/fx/bits.hpp"
 
 namespace spanline {
 
@@ -27,5 +30,22 @@ constexpr std::uint32_t reciprocal_normalised(std::uint32_t w) {
   const std::int32_t step = (error + (half * half >> 9)) >> 10;
   return (seed << 21) + static_cast<std::uint32_t>(static_cast<std::int32_t>(seed) * step >> 8);
 }
+
+// How many bits numbers in [1, 2^31) are to go up to be divisors. Of numbers alike most need what the last one did, and
+// that is cheaper to find out than how many it is.
+class Normaliser {
+ public:
+  int up(std::uint32_t w) {
+    if constexpr (kCountsZeros) {
+      return std::countl_zero(w) - 1;
+    } else {
+      if (w >> (30 - up_) != 1) up_ = std::countl_zero(w) - 1;
+      return up_;
+    }
+  }
+
+ private:
+  int up_ = 0;
+};
 
 }  // namespace spanline

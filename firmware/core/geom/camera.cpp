@@ -84,7 +84,7 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
   return status;
 }
 
-Status check_camera(const CameraRecord& camera) {
+[[gnu::cold]] Status check_camera(const CameraRecord& camera) {
   for (const Fx16 c : camera.eye) {
     if (c > Fx16::from_int(2 * kMaxWorld) || c < Fx16::from_int(-2 * kMaxWorld)) return bad_camera("eye");
   }
@@ -100,7 +100,7 @@ Status check_camera(const CameraRecord& camera) {
   return {};
 }
 
-ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh) {
+[[gnu::cold]] ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh) {
   std::int32_t world[3][3];
   scale_to_world(transform, mesh.unit, world);
   std::int64_t from_eye[3];  // Q16.16: the mesh's origin seen from the eye

@@ -22,7 +22,8 @@ inline constexpr std::int32_t kSteepest = 1 << 26;
 // bits more and is below kSteepest; it is off by less than half a unit and 2^-25 of itself, and as if each rise were
 // cut off to 18 bits of the greater one where that has more. False where the triangle is no such.
 template <int kBits, std::int32_t kRise>
-inline bool small_gradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int32_t rise2, Gradient& out) {
+[[gnu::always_inline]] inline bool small_gradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int32_t rise2,
+                                                  Gradient& out) {
   const auto fit = [](std::int32_t limit, auto... v) {  // all of them in -limit … limit - 1, which is a power of two
     return (static_cast<std::uint32_t>(v + limit) | ...) < 2 * static_cast<std::uint32_t>(limit);
   };

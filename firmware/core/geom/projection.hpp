@@ -54,15 +54,20 @@ struct ClipMatrix {
                              std::int64_t{linear[i][1]} * p.y + std::int64_t{linear[i][2]} * p.z;  // Q17.31
     return saturate32(sum >> 15);
   }
+  // How far from its offset a row may be, whatever the position (|position| <= 2^15).
+  std::int64_t reach(int i) const {
+    std::int64_t reach = 1;
+    for (const std::int32_t c : linear[i]) reach += (c < 0 ? -std::int64_t{c} : c) + 1;
+    return reach;
+  }
   // Whether no position saturates.
   bool fits() const {
     for (int i = 0; i < 3; ++i) {
-      std::int64_t most = offset[i] < 0 ? -std::int64_t{offset[i]} : offset[i];
-      for (const std::int32_t c : linear[i]) most += (c < 0 ? -std::int64_t{c} : c) + 1;  // |position| <= 2^15
-      if (most > INT32_MAX) return false;
+      if (farthest(i) > INT32_MAX) return false;
     }
     return true;
   }
+  std::int64_t farthest(int i) const { return (offset[i] < 0 ? -std::int64_t{offset[i]} : offset[i]) + reach(i); }
   template <typename Point>
   ClipPoint operator()(const Point& p) const {
     return {row(0, p), row(1, p), row(2, p)};
@@ -154,19 +159,27 @@ struct Projection {
     return static_cast<std::uint32_t>(p.x) + w <= 2 * w && static_cast<std::uint32_t>(p.y) + w <= 2 * w;
   }
 
+  // Whether a matrix takes all positions there are to points inside(); most do that have a mesh in view.
+  bool holds(const ClipMatrix& matrix) const {
+    const std::int64_t reach = matrix.reach(2), nearest = matrix.offset[2] - reach;
+    return nearest >= near_w && matrix.offset[2] + reach <= far_w && matrix.farthest(0) <= nearest &&
+           matrix.farthest(1) <= nearest;
+  }
+
   // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the
   // nearest 1/16 px to the exact one or, by the rounding of the matrix, its neighbour, and depth is within 1 of 65536;
   // nearer, errors grow as 1 / distance. The scene compiler picks the world's scale so that the near plane lies further
   // off.
   ScreenPoint operator()(const ClipPoint& p) const {
-    const Inverse inverse(p.w);
+    Normaliser normaliser;
+    const Inverse inverse(p.w, normaliser);
     ScreenPoint out;
     out.at = place(p, inverse);
     out.depth = depth_from(inverse) & 0xffffffu;
     out.outcode = 0;
     return out;
   }
-  ScreenXY place(const ClipPoint& p) const { return place(p, Inverse(p.w)); }
+  ScreenXY place(const ClipPoint& p, Normaliser& normaliser) const { return place(p, Inverse(p.w, normaliser)); }
 
   // Projects a point that rounding may have left a little outside of the planes.
   ScreenPoint clamped(ClipPoint p) const {
@@ -180,12 +193,16 @@ struct Projection {
   }
 
   // The depth of a point w ahead, inside the near plane; what the point's projection has.
-  std::uint32_t depth(std::int32_t w) const { return depth_from(Inverse(w)); }
+  std::uint32_t depth(std::int32_t w, Normaliser& normaliser) const { return depth_from(Inverse(w, normaliser)); }
+  std::uint32_t depth(std::int32_t w) const {
+    Normaliser normaliser;
+    return depth(w, normaliser);
+  }
 
  private:
   struct Inverse {  // 1 / w = of * 2^up / 2^61
-    explicit Inverse(std::int32_t w)
-        : up(std::countl_zero(static_cast<std::uint32_t>(w)) - 1),
+    Inverse(std::int32_t w, Normaliser& normaliser)
+        : up(normaliser.up(static_cast<std::uint32_t>(w))),
           of(static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up))) {}
     int up;
     std::int32_t of;

@@ -1,6 +1,7 @@
 // Screen space: 28.4 coordinates, scan lines, pixel columns.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "core/base/pixel_format.hpp"
@@ -21,6 +22,18 @@ struct alignas(4) ScreenXY {
   std::int16_t x = 0, y = 0;
   friend constexpr bool operator==(const ScreenXY&, const ScreenXY&) = default;
 };
+
+// A point as one word, which is how it is read at once.
+struct PackedXY {
+  std::uint32_t word;
+
+  constexpr explicit PackedXY(ScreenXY p) : word(std::bit_cast<std::uint32_t>(p)) {}
+  constexpr explicit PackedXY(std::uint32_t w) : word(w) {}
+  constexpr ScreenXY unpacked() const { return std::bit_cast<ScreenXY>(word); }
+  constexpr std::int32_t x() const { return static_cast<std::int16_t>(word); }
+  constexpr std::int32_t y() const { return static_cast<std::int32_t>(word) >> 16; }
+};
+static_assert(PackedXY(ScreenXY{-1, 2}).x() == -1 && PackedXY(ScreenXY{-1, 2}).y() == 2, "little-endian");
 
 // A run of pixel columns of one line, [left, right).
 struct Columns {

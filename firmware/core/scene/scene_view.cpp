@@ -238,11 +238,9 @@ Status check_light(const LightRecord& light, std::uint32_t index) {
 }  // namespace
 
 Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
-  bool layered = false;
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
     const Status status = check_material_record(scene, i);
     if (!status.ok()) return status;
-    layered = layered || scene.materials[i].see_through();
   }
   if (scene.lights.size() > kMaxLights) return bad("SceneRecord", "lights", 0, scene.lights.size(), kMaxLights);
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
@@ -252,28 +250,36 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     const Status status = check_mesh(scene, i);
     if (!status.ok()) return status;
-    layered = layered || !scene.meshes[i].parents.empty();
   }
   std::uint32_t faces = 0, vertices = 0, curves = 0;
-  bool has_patches = false;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Status status = check_instance(scene, i);
     if (!status.ok()) return status;
-    faces += scene.meshes[scene.instances[i].mesh].face_count;
-    vertices += scene.meshes[scene.instances[i].mesh].positions.size();
-    has_patches = has_patches || scene.meshes[scene.instances[i].mesh].of_patches();
-    curves += scene.meshes[scene.instances[i].mesh].curves.size();
+    const MeshRecord& mesh = scene.meshes[scene.instances[i].mesh];
+    faces += mesh.face_count;
+    vertices += mesh.positions.size();
+    curves += mesh.curves.size();
     if (curves > kMaxSceneCurves) return bad("SceneRecord", "instances (curves)", i, curves, kMaxSceneCurves);
     if (faces > kMaxSceneFaces) return bad("SceneRecord", "instances (faces)", i, faces, kMaxSceneFaces);
     if (vertices > kMaxSceneVertices) return bad("SceneRecord", "instances (vertices)", i, vertices, kMaxSceneVertices);
   }
-  view.scene_ = &scene;
-  view.face_count_ = static_cast<std::uint16_t>(faces);
-  view.vertex_count_ = static_cast<std::uint16_t>(vertices);
-  view.has_patches_ = has_patches;
-  view.curve_count_ = static_cast<std::uint16_t>(curves);
-  view.layered_ = layered;
+  view = of_compiled(scene);
   return {};
+}
+
+SceneView SceneView::of_compiled(const SceneRecord& scene) {
+  SceneView view;
+  view.scene_ = &scene;
+  for (const MaterialRecord& material : scene.materials) view.layered_ = view.layered_ || material.see_through();
+  for (const MeshRecord& mesh : scene.meshes) view.layered_ = view.layered_ || !mesh.parents.empty();
+  for (const InstanceRecord& instance : scene.instances) {
+    const MeshRecord& mesh = scene.meshes[instance.mesh];
+    view.face_count_ = static_cast<std::uint16_t>(view.face_count_ + mesh.face_count);
+    view.vertex_count_ = static_cast<std::uint16_t>(view.vertex_count_ + mesh.positions.size());
+    view.curve_count_ = static_cast<std::uint16_t>(view.curve_count_ + mesh.curves.size());
+    view.has_patches_ = view.has_patches_ || mesh.of_patches();
+  }
+  return view;
 }
 
 }  // namespace spanline

@@ -17,6 +17,10 @@ class SceneView {
   // was.
   static Status validate(const SceneRecord& scene, SceneView& view);
 
+  // A view of records that are known to be what validate() asks for: the scene compiler's (`spanline assets`), which
+  // has validated what it writes. Leaves 4 KB of checks out of an image that calls nothing else.
+  static SceneView of_compiled(const SceneRecord& scene);
+
   const SceneRecord& scene() const { return *scene_; }
   std::uint16_t face_count() const { return face_count_; }      // over all instances, hidden ones too
   bool has_patches() const { return has_patches_; }             // some instance is of patches

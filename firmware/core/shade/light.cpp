@@ -12,7 +12,7 @@ namespace {
 using Matrix = std::int32_t[3][3];
 
 // Brings a matrix to 14 bits and a sign by one common shift, so that products of two entries fit 32 bits.
-void normalise(const std::int64_t (&in)[3][3], Matrix& out) {
+[[gnu::cold]] void normalise(const std::int64_t (&in)[3][3], Matrix& out) {
   std::uint64_t largest = 0;
   for (const auto& row : in) {
     for (const std::int64_t c : row) largest |= static_cast<std::uint64_t>(c < 0 ? -c : c);
@@ -64,7 +64,7 @@ void cofactors(const Matrix& m, Matrix& out) {
 
 }  // namespace
 
-LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
+[[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
     : count_(scene.lights.size()), reaches_(scene.reaches) {
   std::int64_t raw[3][3];
   for (int i = 0; i < 3; ++i) {
@@ -126,17 +126,8 @@ std::uint32_t LightRig::grey_sum_of_all(const Normal10& normal, bool flip) const
   return sum;
 }
 
-Rgb8 LightRig::saturated(const Rgb8& color, std::uint32_t sum) {
-  const auto lit = [sum](std::uint32_t channel) {
-    const std::uint32_t v = (channel * sum + 128) >> 8;
-    return static_cast<std::uint8_t>(v < 255 ? v : 255);
-  };
-  return {lit(color.r), lit(color.g), lit(color.b)};
-}
-
 Rgb8 LightRig::shade(const Normal10& normal, const MaterialRecord& material, bool flip) const {
   if (material.shading == MaterialRecord::kUnlit) return material.color;
-  if (grey_ && material.reach == MaterialRecord::kAllLight) return grey_shade(normal, material.color, flip);
   std::uint32_t sum[3] = {ambient_[0], ambient_[1], ambient_[2]};  // Q8.8
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {

@@ -24,25 +24,31 @@ class LightRig {
     const std::uint32_t sum = grey_sum(normal, flip);
     return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
   }
+  // Whether that is the sum() of one() light.
+  bool simple() const { return grey_ && count_ == 1 && uniform_; }
 
-  // shade() where grey() and the material is lit.
-  Rgb8 grey_shade(const Normal10& normal, const Rgb8& color, bool flip) const {
-    const std::uint32_t sum = grey_sum(normal, flip);
-    if (sum > 256) return saturated(color, sum);
-    const auto lit = [sum](std::uint32_t channel) { return static_cast<std::uint8_t>((channel * sum + 128) >> 8); };
-    return {lit(color.r), lit(color.g), lit(color.b)};
+  // A light without hue and the ambient light, in a mesh that is turned and scaled evenly.
+  struct One {
+    std::int32_t x, y, z;  // towards the light, as LightRig::direction_
+    std::uint32_t intensity, ambient;
+
+    std::uint32_t most() const { return ambient + intensity; }  // of sum()
+    // Q8.8, of any channel.
+    std::uint32_t sum(const Normal10& normal) const {
+      const std::int32_t dot = (x * normal.x() + y * normal.y() + z * normal.z()) >> 8;
+      if (dot <= 0) return ambient;
+      const auto amount = static_cast<std::uint32_t>(dot < 32768 ? dot : 32768);  // Q1.15
+      return ambient + ((amount * intensity + (1u << 14)) >> 15);
+    }
+  };
+  One one() const {
+    const std::int16_t(&d)[3] = direction_[0];
+    return {-d[0], -d[1], -d[2], intensity_[0][0], ambient_[0]};
   }
 
  private:
-  static Rgb8 saturated(const Rgb8& color, std::uint32_t sum);
-  // Q8.8, of any channel.
   std::uint32_t grey_sum(const Normal10& normal, bool flip) const {
-    if (count_ != 1 || !uniform_ || flip) return grey_sum_of_all(normal, flip);
-    const std::int16_t(&d)[3] = direction_[0];
-    const std::int32_t dot = -(d[0] * normal.x() + d[1] * normal.y() + d[2] * normal.z()) >> 8;
-    if (dot <= 0) return ambient_[0];
-    const auto amount = static_cast<std::uint32_t>(dot < 32768 ? dot : 32768);  // Q1.15
-    return ambient_[0] + ((amount * intensity_[0][0] + (1u << 14)) >> 15);
+    return simple() && !flip ? one().sum(normal) : grey_sum_of_all(normal, flip);
   }
   std::uint32_t grey_sum_of_all(const Normal10& normal, bool flip) const;
   std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;

@@ -14,6 +14,12 @@ constexpr std::uint16_t rgb565_wire(std::uint32_t r, std::uint32_t g, std::uint3
   return static_cast<std::uint16_t>(v >> 8 | v << 8);
 }
 
+// The same of a colour in light `sum`, Q8.8 and at most 256, with each channel rounded to 8 bits.
+constexpr std::uint16_t lit_rgb565_wire(const Rgb8& color, std::uint32_t sum) {
+  const std::uint32_t r = color.r * sum + 128, g = color.g * sum + 128, b = color.b * sum + 128;  // 16 bits
+  return __builtin_bswap16(static_cast<std::uint16_t>((r & 0xf800u) | (g >> 5 & 0x07e0u) | b >> 11));
+}
+
 // Luma of ITU-R BT.601 in 8 bits; white stays 255.
 constexpr std::uint8_t luminance(const Rgb8& c) {
   return static_cast<std::uint8_t>((77u * c.r + 150u * c.g + 29u * c.b + 128u) >> 8);

@@ -26,4 +26,13 @@ EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
   return run;
 }
 
+void FromVertex::run_far(ActiveEdge& edge, ScreenXY top, std::int32_t line) {
+  const ScreenXY bottom = PackedXY(static_cast<std::uint32_t>(edge.x)).unpacked();
+  const EdgeRun run = start_run(top, bottom, line);
+  edge.x = run.x;
+  edge.dx = run.dx;
+  edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
+  if (bottom.y - top.y > kTallEdge) edge.rest += ActiveEdge::kTall;
+}
+
 }  // namespace spanline

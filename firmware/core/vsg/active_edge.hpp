@@ -2,6 +2,8 @@
 // line.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #include "core/base/check.hpp"
@@ -65,18 +67,80 @@ static_assert(65536 / 32768 >= 2, "and for one line at any height that the guard
 // The run of an edge from `line`, one of its own lines, on; for edges of any height and slope.
 EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line);
 
-// The same for an edge that is not tall and less than 128 px wide: one divide.
-inline bool is_small(std::int32_t dx, std::int32_t dy) {
-  return static_cast<std::uint32_t>(dx + 2047) < 4095u && dy <= kTallEdge;
-}
-inline EdgeRun start_small_run(ScreenXY top, std::int32_t dx, std::int32_t dy, std::int32_t line, std::int32_t lines) {
-  const std::int32_t run = dx * (1 << ActiveEdge::kFraction);
-  const std::int32_t cut = run / dy;
-  const std::int32_t slope = cut + ((run - cut * dy) >> 31);
-  const std::int32_t below = line * kSubpixels + kSubpixels / 2 - top.y;  // < dy, so the product stays within run
-  const std::int32_t x =
-      (top.x - kSubpixels / 2) * (1 << 16) + ((slope * below) >> 4) + ((1 << ActiveEdge::kFraction) - 1);
-  return {x, slope, lines};
-}
+// The slope of an edge of the kind below by a table, where a divide costs more. It is cut off by more than a unit,
+// which is no matter for edges of few lines.
+class SlopeByTable {
+ public:
+  static constexpr std::int32_t kTallest = 240;  // dy of these is less: above, x falls behind too far
+
+  static std::int32_t of(std::int32_t dx, std::int32_t dy) {
+    const std::uint32_t entry = kReciprocals[static_cast<std::uint32_t>(dy)];
+    // An edge to the left runs by the next greater reciprocal, so that the slope is never too great.
+    return dx * (static_cast<std::int32_t>(entry >> kShiftBits) - (dx >> 31)) >> (entry & ((1u << kShiftBits) - 1));
+  }
+
+  // Whether x, behind by so much a line and a unit at the start, stays in the exact column.
+  static constexpr bool stays_exact() {
+    for (std::uint32_t dy = 1; dy < kTallest; ++dy) {
+      const std::uint32_t a_line = 2047 / std::bit_floor(dy) + 2;
+      if (a_line * (dy / kSubpixels + 1) + 1 >= 65536 / dy - 1) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int kShiftBits = 4;
+
+  // 2^(20 + shift) / dy, with the shift that leaves it 20 bits or 2^20, above the shift.
+  static constexpr auto kReciprocals = [] {
+    std::array<std::uint32_t, kTallest> table{};
+    for (std::uint32_t dy = 1; dy < kTallest; ++dy) {
+      const auto shift = static_cast<std::uint32_t>(std::bit_width(dy) - 1);
+      table[dy] = ((1u << (20 + shift)) / dy) << kShiftBits | shift;
+    }
+    return table;
+  }();
+};
+static_assert(SlopeByTable::stays_exact());
+static_assert(2047 * std::int64_t{(1 << 20) + 1} <= INT32_MAX, "dx times a reciprocal");
+
+// The runs of the edges that begin in one vertex.
+class FromVertex {
+ public:
+  FromVertex(ScreenXY top, std::int32_t line)
+      : top_(top),
+        x_((top.x - kSubpixels / 2) * (1 << 16) + ((1 << ActiveEdge::kFraction) - 1)),
+        before_(line * kSubpixels + kSubpixels / 2 - top.y),
+        line_(line) {}
+
+  // edge.x: where the edge ends, a PackedXY; edge.rest: the face that ends. Makes them what they are on `line`. One
+  // divide, or none, where the edge is not tall and less than 128 px wide.
+  template <bool kDivide = kDivides>
+  void run(ActiveEdge& edge) const {
+    const PackedXY bottom(static_cast<std::uint32_t>(edge.x));
+    const std::int32_t dx = bottom.x() - top_.x, dy = bottom.y() - top_.y;
+    if (static_cast<std::uint32_t>(dx + 2047) >= 4095u || dy > kTallEdge) [[unlikely]]
+      return run_far(edge, top_, line_);
+    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest ? exact_slope(dx, dy) : SlopeByTable::of(dx, dy);
+    edge.x = x_ + ((slope * before_) >> 4);  // before < dy: the product stays within dx
+    edge.dx = slope;
+    const std::int32_t more = (dy - before_ - 1) >> 4;  // lines after this one
+    edge.rest += static_cast<std::uint32_t>(more) * ActiveEdge::kOneLine;
+  }
+
+ private:
+  static void run_far(ActiveEdge& edge, ScreenXY top, std::int32_t line);
+
+  static std::int32_t exact_slope(std::int32_t dx, std::int32_t dy) {  // cut off
+    const std::int32_t whole = dx * (1 << ActiveEdge::kFraction);
+    const std::int32_t quotient = whole / dy;
+    return quotient + ((whole - quotient * dy) >> 31);
+  }
+
+  ScreenXY top_;
+  std::int32_t x_;       // of the vertex, as ActiveEdge::x
+  std::int32_t before_;  // 28.4: from the vertex to the line's centre
+  std::int32_t line_;
+};
 
 }  // namespace spanline

@@ -13,6 +13,95 @@ void EdgeWalker::begin() {
   alive_ = most_ = 0;
 }
 
+// What the vertices of one instance start their edges from.
+template <typename Word>
+struct EdgeWalker::Fans {
+  const std::uint16_t* starts;
+  const FanEdge* edges;
+  const ScreenXY* points;
+  const Word* words;  // of the instance's faces
+  std::uint32_t not_drawn;
+  std::uint32_t first_id;   // of the faces
+  std::uint32_t first = 0;  // vertex, as VertexBuckets names it
+  std::uint32_t count = 0;  // of vertices
+  const ActiveEdge* last;   // room for edges, and the sentinel
+};
+
+template <typename Word>
+EdgeWalker::Fans<Word> EdgeWalker::fans_around(std::uint32_t vertex, const DrawnFaces<Word>& drawn) {
+  cursor_.to_vertex(vertex - 1);
+  const MeshRecord& mesh = cursor_.mesh();
+  const std::uint32_t first = cursor_.first_vertex() + 1, first_id = cursor_.first_face() + 1;
+  return {mesh.fan_starts.data(),
+          mesh.fans.data(),
+          &points_[first],
+          drawn.words + first_id,
+          drawn.not_drawn,
+          first_id,
+          first,
+          mesh.positions.size(),
+          &edges_[0][edges_[0].capacity()]};
+}
+
+void EdgeWalker::end_start(const Started& started) {
+  const auto begun = static_cast<std::uint32_t>(started.out - started.first);
+  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
+  started.first[-1].x = started.out->x = ActiveEdge::kNever;
+}
+
+template <typename Word>
+bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
+  Started started{&edges_[0][alive_ + 1]};
+  Fans<Word> fans;
+  for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
+    if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);
+    const ScreenXY top = points_[vertex];
+    ActiveEdge* const end = find_edges(fans, vertex, line, started.out);
+    if (end == nullptr) return false;
+    const FromVertex from(top, line);
+    while (started.out != end) started.run(from);
+  }
+  end_start(started);
+  return true;
+}
+
+// Puts out the edges that begin in a vertex above `line` and end below it, of faces that are drawn: where they end,
+// what they toggle and the face that ends. Null where there is no room.
+template <typename Word>
+ActiveEdge* EdgeWalker::find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out) {
+  const std::uint16_t* const start = fans.starts + (vertex - fans.first);
+  const FanEdge* const end = fans.edges + start[1];
+  const auto [starts, edges, points, words, not_drawn, first_id, first, count, last] = fans;
+  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
+  for (const FanEdge* edge = edges + start[0]; edge != end; ++edge) {
+    const PackedXY bottom(points[edge->to]);
+    if (bottom.y() <= lowest) continue;
+    // Of an edge that runs down, the counter-clockwise face lies on the right.
+    const std::uint32_t face = edge->face, twin = edge->twin;
+    const bool begins = face != FanEdge::kNone && words[face] != not_drawn;
+    const bool ends = twin != FanEdge::kNone && words[twin] != not_drawn;
+    constexpr CoverKey kOne = CoverKey{1} << kCoverCount;
+    CoverKey toggle;
+    std::uint32_t ending = 0;
+    if (ends) {
+      ending = first_id + twin;
+      toggle = begins ? face - twin : 0 - kOne - ending;
+    } else {
+      if (!begins) continue;
+      toggle = kOne + first_id + face;
+    }
+    if (out >= last) return nullptr;
+    out->x = static_cast<std::int32_t>(bottom.word);
+    out->toggle = toggle;
+    out->rest = ending;
+    ++out;
+  }
+  return out;
+}
+
+template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);
+template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint8_t>&);
+
 // Begins a tall edge again on `line`; false where it has ended, and for every other edge. Of the face that it begins
 // or ends the edge is the left or right one.
 bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {

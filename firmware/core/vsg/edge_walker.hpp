@@ -25,6 +25,13 @@ struct EdgeStorage {
 inline constexpr std::uint32_t kMostEdges = 3840;
 static_assert(std::uint64_t{kMostEdges} * cover_of(0xffff) <= UINT32_MAX);
 
+// Which faces are drawn: those whose word, of the FaceId, is not one certain value.
+template <typename Word>
+struct DrawnFaces {
+  const Word* words;
+  Word not_drawn;
+};
+
 class EdgeWalker {
  public:
   EdgeWalker() = default;
@@ -38,21 +45,20 @@ class EdgeWalker {
   }
 
   // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
-  // for each before faces are filed.
+  // before faces are filed.
   void begin(const SceneRecord& scene, std::int32_t top);
-  void forget(std::uint32_t vertex) { buckets_.forget(static_cast<std::uint16_t>(vertex + 1)); }
-  // Files a vertex of a face that is drawn; true the first time.
-  bool file(std::uint32_t vertex) { return buckets_.file(static_cast<std::uint16_t>(vertex + 1)); }
+  // To file the vertices of faces that are drawn; `first` is the mesh's first over the scene.
+  VertexBuckets::Mesh vertices(std::uint32_t first) { return {buckets_, first}; }
 
   // Whether nothing of `line` is covered.
   bool is_blank(std::int32_t line) const { return alive_ == 0 && is_quiet(line); }
   // Whether no edge begins on `line`, which is then to be said instead of start_edges().
   bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
   void start_none() { edges_[0][alive_].x = edges_[0][alive_ + 1].x = ActiveEdge::kNever; }
-  // Starts the edges that begin on `line`; to be called for every line from top on. drawn(FaceId) says whether a face
-  // is drawn: those that are run counter-clockwise on the screen. False where there is no room for an edge.
-  template <typename Drawn>
-  bool start_edges(std::int32_t line, const Drawn& drawn);
+  // Starts the edges that begin on `line`; to be called for every line from top on. The faces to be drawn are those
+  // that are run counter-clockwise on the screen. False where there is no room for an edge.
+  template <typename Word>
+  bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
   // The visible spans of the line. sink.begin(LineWalk&) sets what the painter has in it. sink.run(LineWalk&) is
   // walk_on() with a paint of its own; sink.learn(FaceId) is said where it stops at a look; sink.one(left, right,
@@ -84,6 +90,31 @@ class EdgeWalker {
  private:
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
 
+  // The edges that begin on a line, up to `out`.
+  struct Started {
+    ActiveEdge* const first;
+    ActiveEdge* out = first;
+    std::int32_t furthest = INT32_MIN;  // x of the last edge put out
+
+    // Puts *out out, which FromVertex::run() is still to make. They come nearly in order.
+    void run(const FromVertex& from) {
+      from.run(*out);
+      if (out->x < furthest) {
+        insert_back(first, out, ActiveEdge{*out});
+      } else {
+        furthest = out->x;
+      }
+      ++out;
+    }
+  };
+  void end_start(const Started& started);
+
+  template <typename Word>
+  struct Fans;
+  template <typename Word>
+  Fans<Word> fans_around(std::uint32_t vertex, const DrawnFaces<Word>& drawn);
+  template <typename Word>
+  static ActiveEdge* find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   template <typename Sink, typename Plane>
   [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
@@ -98,95 +129,24 @@ class EdgeWalker {
   OverlapSet overlap_;
   std::uint32_t alive_ = 0, most_ = 0;
 };
-template <typename Drawn>
-bool EdgeWalker::start_edges(std::int32_t line, const Drawn& drawn) {
-  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
-  ActiveEdge* const first = &edges_[0][alive_ + 1];
-  ActiveEdge* out = first;
-  const ActiveEdge* const last = &edges_[0][edges_[0].capacity()];  // for the sentinel
-  for (std::uint16_t vertex = buckets_.sorted(line); vertex != 0; vertex = buckets_.next(vertex)) {
-    cursor_.to_vertex(vertex - 1u);
-    const MeshRecord& mesh = cursor_.mesh();
-    const ScreenXY* const points = &points_[cursor_.first_vertex() + 1];
-    const std::uint32_t first_id = cursor_.first_face() + 1;
-    const std::uint16_t* const start = mesh.fan_starts.data() + (vertex - 1u - cursor_.first_vertex());
-    const FanEdge* const end = mesh.fans.data() + start[1];
-    const ScreenXY top = points_[vertex];
-    for (const FanEdge* edge = mesh.fans.data() + start[0]; edge != end; ++edge) {
-      const ScreenXY bottom = points[edge->to];
-      if (bottom.y <= lowest) continue;
-      // Of an edge that runs down, the counter-clockwise face lies on the right.
-      const std::uint32_t face = edge->face, twin = edge->twin;
-      const bool begins = face != FanEdge::kNone && drawn(static_cast<FaceId>(first_id + face));
-      const bool ends = twin != FanEdge::kNone && drawn(static_cast<FaceId>(first_id + twin));
-      if (!begins && !ends) continue;
-      if (out >= last) return false;
-      CoverKey toggle = 0;
-      std::uint32_t rest = 0;
-      if (begins) toggle = (CoverKey{1} << kCoverCount) + first_id + face;
-      if (ends) {
-        rest = first_id + twin;
-        toggle -= (CoverKey{1} << kCoverCount) + rest;
-      }
-      const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
-      EdgeRun run;
-      if (is_small(dx, dy)) [[likely]] {
-        run = start_small_run(top, dx, dy, line, first_centre(bottom.y) - line);
-      } else {
-        run = start_run(top, bottom, line);
-        if (dy > kTallEdge) rest += ActiveEdge::kTall;
-      }
-      rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
-      const ActiveEdge begun{run.x, run.dx, toggle, rest};
-      // They come nearly in order.
-      if (out != first && out[-1].x > run.x) {
-        insert_back(first, out++, begun);
-      } else {
-        *out++ = begun;
-      }
-    }
-  }
-  const auto begun = static_cast<std::uint32_t>(out - first);
-  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
-  first[-1].x = out->x = ActiveEdge::kNever;
-  return true;
-}
-
 template <typename Feed>
 bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
   const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
-  ActiveEdge* const first = &edges_[0][alive_ + 1];
-  ActiveEdge* out = first;
+  Started started{&edges_[0][alive_ + 1]};
   const ActiveEdge* const last = &edges_[0][edges_[0].capacity()];  // for the sentinel
   bool room = true;
   feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
     if (bottom.y <= lowest || begins == ends) return;
-    if (out >= last) {
-      room = false;
-      return;
-    }
-    const std::int32_t dx = bottom.x - top.x, dy = bottom.y - top.y;
-    EdgeRun run;
-    std::uint32_t rest = ends;
-    if (is_small(dx, dy)) [[likely]] {
-      run = start_small_run(top, dx, dy, line, first_centre(bottom.y) - line);
-    } else {
-      run = start_run(top, bottom, line);
-      if (dy > kTallEdge) rest += ActiveEdge::kTall;
-    }
-    rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
-    const ActiveEdge begun{run.x, run.dx, cover_of(begins) - cover_of(ends), rest};
-    if (out != first && out[-1].x > run.x) {
-      insert_back(first, out++, begun);
-    } else {
-      *out++ = begun;
-    }
+    room = room && started.out < last;
+    if (!room) return;
+    ActiveEdge& edge = *started.out;
+    edge.x = static_cast<std::int32_t>(PackedXY(bottom).word);
+    edge.toggle = cover_of(begins) - cover_of(ends);
+    edge.rest = ends;
+    started.run(FromVertex(top, line));
   });
-  if (!room) return false;
-  const auto begun = static_cast<std::uint32_t>(out - first);
-  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
-  first[-1].x = out->x = ActiveEdge::kNever;
-  return true;
+  if (room) end_start(started);
+  return room;
 }
 
 // Shows the span of several faces that the walk has come to.

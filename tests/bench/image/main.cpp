@@ -26,9 +26,7 @@ void add_to_sum(Slice<const std::uint8_t> line) {
 
 template <bool kSummed>
 void draw() {
-  SceneView view;
-  outcome = SceneView::validate(shown::scene, view);
-  if (!outcome.ok()) return;
+  const SceneView view = SceneView::of_compiled(shown::scene);
   TheFrame frame(memory.storage());
   unsigned turn = 0;
   frame_begin_mark();
