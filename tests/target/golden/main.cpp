@@ -1,14 +1,11 @@
 // The golden pictures on a target: one line a picture, and the exit status says whether all of them came out as
 // expected.
 #include "boards/common/frame_marks.hpp"
-#include "boards/common/report.hpp"
 #include "golden/golden.hpp"
 #include "hal/mcu/semihosting.hpp"
+#include "report_sum.hpp"
 
 namespace {
-
-using spanline::boards::print;
-using spanline::boards::print_hex;
 
 spanline::FrameMemory<spanline::golden::kBudget> memory;
 constinit spanline::demos::Stage stage;
@@ -24,15 +21,7 @@ int main() {
     frame_begin_mark();
     const Status status = golden::draw(picture, memory.storage(), stage, line, crc);
     frame_end_mark();
-    const bool same = status.ok() && crc == picture.crc;
-    good = good && same;
-    print("golden=");
-    print(picture.name);
-    print(" crc=");
-    print_hex(crc);
-    print(" expected=");
-    print_hex(picture.crc);
-    print(same ? " same\n" : status.ok() ? " DIFFERS\n" : " FAILED\n");
+    good = target::report_sum("golden", picture.name, status, crc, picture.crc) && good;
   }
   hal::semihosting::leave(good ? 0 : 1);
 }
