@@ -33,7 +33,7 @@ inline constexpr Layouts patches{
      kPatchesLarge.budget},
     {{&patches_small_scene::scene, &patches_small_scene::camera, &patches_small_scene::kTarget,
       patches_small_scene::kOrigins, patches_small_scene::kWidth, patches_small_scene::kHeight},
-     {.facets = 110,
+     {.facets = 80,
       .vertices = 0,
       .polygons = 80,
       .edges = 16,
@@ -41,7 +41,7 @@ inline constexpr Layouts patches{
       .active = 12,
       .samples = 32,
       .implied = 0,
-      .patch_facets = 110,
+      .patch_facets = 80,
       .patch_vertices = 244,
       .gouraud = false}}};
 
