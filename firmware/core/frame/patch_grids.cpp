@@ -21,7 +21,6 @@ void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
 bool PatchGrids::dice(PatchJob& job, std::uint16_t face) {
   const std::uint16_t before = used_;
   const PatchTangents tangents(job.shape, job.normal_grid());
-  job.tangents = &tangents;
   Open grid{face};
   GridRow above{};
   ScreenBounds bounds_above;
@@ -44,7 +43,7 @@ bool PatchGrids::dice(PatchJob& job, std::uint16_t face) {
         used_ = before;
         return false;
       }
-      strip(job, grid, i - 1);
+      strip(job, tangents, grid, i - 1);
     }
     above = below;
     bounds_above = bounds;
@@ -69,7 +68,7 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
 
 // Culls and colours the cells of the strip below the grid's last row and puts the row below it in. A row that no seen
 // cell touches is left out where it is the first.
-void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
+void PatchGrids::strip(const PatchJob& job, const PatchTangents& tangents, Open& grid, std::uint32_t row) {
   const std::uint32_t stride = job.columns() + 1;
   const std::uint32_t above = grid.header + 1 + (grid.rows - 1) * stride, below = above + stride;
   bool any = false;
@@ -78,7 +77,7 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
     any = any || v_[above + i].parts != CellParts::kNone;
   }
   if (any) {
-    const NormalRow normals(*job.tangents, 2 * row + 1);
+    const NormalRow normals(tangents, 2 * row + 1);
     for (std::uint32_t i = 0; i < job.columns(); ++i) {
       GridVertex& vertex = v_[above + i];
       if (vertex.parts == CellParts::kNone) continue;

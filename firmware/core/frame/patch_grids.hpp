@@ -94,7 +94,7 @@ class PatchGrids {
  private:
   struct Open;
 
-  void strip(const PatchJob& job, Open& grid, std::uint32_t row);
+  void strip(const PatchJob& job, const PatchTangents& tangents, Open& grid, std::uint32_t row);
   bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
   std::uint8_t seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const;
   void close(Open& grid);

@@ -65,10 +65,10 @@ class SmoothCache {
   SmoothCache(const SmoothStorage& storage, PixelFormat format)
       : looks_(storage.looks),
         tables_(storage.tables),
-        look_mask_(std::bit_floor(storage.looks.capacity() + 1u) - 1u),
         table_mask_(std::bit_floor(storage.tables.capacity() + 1u) - 1u),
         format_(format) {
     looks_.limit(kMostLooks);
+    look_mask_ = std::bit_floor(looks_.capacity() + 1u) - 1u;
   }
 
   bool on() const { return looks_.capacity() != 0; }

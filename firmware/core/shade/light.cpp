@@ -11,16 +11,19 @@ namespace {
 
 using Matrix = std::int32_t[3][3];
 
-// Brings a matrix to 14 bits and a sign by one common shift, so that products of two entries fit 32 bits.
-[[gnu::cold]] void normalise(const std::int64_t (&in)[3][3], Matrix& out) {
+// Brings a matrix of entries in(row, column) to 14 bits and a sign by one common shift, so that products of two entries
+// fit 32 bits. Not inline: what it keeps is off the stack again when lights are turned.
+template <typename In>
+[[gnu::cold, gnu::noinline]] void normalise(const In& in, Matrix& out) {
   std::uint64_t largest = 0;
-  for (const auto& row : in) {
-    for (const std::int64_t c : row) largest |= static_cast<std::uint64_t>(c < 0 ? -c : c);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) largest |= static_cast<std::uint64_t>(in(i, j) < 0 ? -in(i, j) : in(i, j));
   }
   const int shift = static_cast<int>(std::bit_width(largest)) - 14;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      out[i][j] = static_cast<std::int32_t>(shift > 0 ? in[i][j] >> shift : in[i][j] * (std::int64_t{1} << -shift));
+      const std::int64_t entry = in(i, j);
+      out[i][j] = static_cast<std::int32_t>(shift > 0 ? entry >> shift : entry * (std::int64_t{1} << -shift));
     }
   }
 }
@@ -46,32 +49,20 @@ bool is_uniform(const Matrix& m) {
 // The cofactor matrix, which turns normals as the matrix turns surfaces, with the sign that keeps them outward when
 // mirrored.
 void cofactors(const Matrix& m, Matrix& out) {
-  std::int64_t c[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      c[i][j] = std::int64_t{m[i1][j1]} * m[i2][j2] - std::int64_t{m[i1][j2]} * m[i2][j1];
-    }
-  }
-  const std::int64_t determinant = m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
-  if (determinant < 0) {
-    for (auto& row : c) {
-      for (std::int64_t& entry : row) entry = -entry;
-    }
-  }
-  normalise(c, out);
+  const auto minor = [&m](int i, int j) {
+    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    return std::int64_t{m[i1][j1]} * m[i2][j2] - std::int64_t{m[i1][j2]} * m[i2][j1];
+  };
+  const std::int64_t determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
+  normalise([&](int i, int j) { return determinant < 0 ? -minor(i, j) : minor(i, j); }, out);
 }
 
 }  // namespace
 
 [[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
     : count_(scene.lights.size()), reaches_(scene.reaches) {
-  std::int64_t raw[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) raw[i][j] = transform.matrix[i][j].raw;
-  }
   Matrix shape, turned;
-  normalise(raw, shape);
+  normalise([&](int i, int j) { return std::int64_t{transform.matrix[i][j].raw}; }, shape);
   uniform_ = is_uniform(shape);
   cofactors(shape, turned);
   const auto length = static_cast<std::int32_t>(square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0))));

@@ -18,14 +18,14 @@ inline constexpr Budget k16K{.facets = 456,
                              .gouraud = false};
 
 // No vertex kept, bands of a few lines: what one line needs, and little else.
-inline constexpr Budget k8K{.band_lines = 16,
-                            .facets = 34,
+inline constexpr Budget k8K{.band_lines = 4,
+                            .facets = 52,
                             .vertices = 0,
                             .polygons = 51,
                             .edges = 2,
                             .segments = 51,
-                            .active = 6,
-                            .samples = 8,
+                            .active = 5,
+                            .samples = 2,
                             .implied = 0,
                             .gouraud = false};
 
