@@ -72,7 +72,7 @@ class SmoothCache {
   }
 
   bool on() const { return looks_.capacity() != 0; }
-  const FaceLook* looks() const { return &looks_[0]; }  // by the slots of faces
+  const FaceLook* looks() const { return on() ? &looks_[0] : nullptr; }  // by the slots of faces
 
   // At the beginning of a frame.
   void clear();
