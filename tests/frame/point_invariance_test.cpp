@@ -160,7 +160,7 @@ TEST(PointInvariance, APatchThroughTheNearPlane) {
   EXPECT_GT(covered(diced), 5000u);
   const std::size_t width = diced.picture.width;
   std::size_t wrong = 0;
-  for (std::size_t at = width; at + width < diced.ids.size(); ++at) {
+  for (std::size_t at = width + 1; at + width + 1 < diced.ids.size(); ++at) {
     const auto any = [&](std::uint32_t id) {
       bool found = false;
       for (const std::size_t from : {at - width, at, at + width}) {
