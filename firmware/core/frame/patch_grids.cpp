@@ -18,9 +18,8 @@ void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
   v_[0].parts = CellParts::kNone;  // what lies before the first grid
 }
 
-bool PatchGrids::dice(PatchJob& job, std::uint16_t face) {
+bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   const std::uint16_t before = used_;
-  const PatchTangents tangents(job.shape, job.normal_grid());
   Open grid{face};
   GridRow above{};
   ScreenBounds bounds_above;
@@ -43,7 +42,7 @@ bool PatchGrids::dice(PatchJob& job, std::uint16_t face) {
         used_ = before;
         return false;
       }
-      strip(job, tangents, grid, i - 1);
+      strip(job, grid, i - 1);
     }
     above = below;
     bounds_above = bounds;
@@ -68,7 +67,7 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
 
 // Culls and colours the cells of the strip below the grid's last row and puts the row below it in. A row that no seen
 // cell touches is left out where it is the first.
-void PatchGrids::strip(const PatchJob& job, const PatchTangents& tangents, Open& grid, std::uint32_t row) {
+void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
   const std::uint32_t stride = job.columns() + 1;
   const std::uint32_t above = grid.header + 1 + (grid.rows - 1) * stride, below = above + stride;
   bool any = false;
@@ -77,7 +76,7 @@ void PatchGrids::strip(const PatchJob& job, const PatchTangents& tangents, Open&
     any = any || v_[above + i].parts != CellParts::kNone;
   }
   if (any) {
-    const NormalRow normals(tangents, 2 * row + 1);
+    const NormalRow normals(*job.tangents, 2 * row + 1);
     for (std::uint32_t i = 0; i < job.columns(); ++i) {
       GridVertex& vertex = v_[above + i];
       if (vertex.parts == CellParts::kNone) continue;

@@ -40,7 +40,7 @@ class PatchGrids {
 
   // Dices the reader's current face, a patch culled and inside the view, and keeps the cells that face the viewer and
   // may cover something of the lines. False where there is no room for all of them; then none is kept.
-  bool dice(PatchJob& job, std::uint16_t face);
+  bool dice(const PatchJob& job, std::uint16_t face);
   // Whether dice() is for it: otherwise some control point lies outside of the view.
   static bool takes(const PatchJob& job) { return !job.outside; }
   DiceView view(const Projection& projection) const { return {projection, screen_, tolerance_}; }
@@ -94,7 +94,7 @@ class PatchGrids {
  private:
   struct Open;
 
-  void strip(const PatchJob& job, const PatchTangents& tangents, Open& grid, std::uint32_t row);
+  void strip(const PatchJob& job, Open& grid, std::uint32_t row);
   bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
   std::uint8_t seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const;
   void close(Open& grid);

@@ -192,6 +192,8 @@ Status PatchLines<kTaps>::dice(std::uint16_t face, const LightRig& rig) {
     }
     PatchDicer dicer(job.patch, grids_.view(reader_.projection()));
     job.dicer = &dicer;
+    const PatchTangents tangents(job.shape, job.normal_grid());
+    job.tangents = &tangents;
     if (grids_.dice(job, face)) return {};
     const std::int32_t lines = grids_.bottom() - top_;
     if (lines == 1) {
