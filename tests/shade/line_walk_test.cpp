@@ -47,9 +47,12 @@ std::uint16_t colors[ColorTable::kEntries];
 // Pixel by pixel, edge by edge.
 WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smooth) {
   for (;;) {
-    const bool of_fresh = walk.fresh->x < walk.edge->x;
-    const ActiveEdge edge = of_fresh ? *walk.fresh : *walk.edge;
-    if (edge.x > walk.side) return WalkStop::side;
+    if (std::min(walk.edge->x, walk.other->x) > walk.side) return WalkStop::side;
+    if (walk.other->x < walk.edge->x) {
+      walk.limit = std::min(walk.edge->x, walk.side);
+      std::swap(walk.edge, walk.other);
+    }
+    const ActiveEdge edge = *walk.edge;
     for (; walk.left < edge.column(); ++walk.left) {
       if (walk.key >= kTwoFaces) return WalkStop::front;
       const FaceId face = only_face(walk.key);
@@ -61,8 +64,7 @@ WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smo
       }
       reinterpret_cast<std::uint16_t*>(walk.pixels)[walk.left] = color;
     }
-    ++(of_fresh ? walk.fresh : walk.edge);
-    walk.limit = std::min(walk.fresh->x, walk.side);
+    ++walk.edge;
     walk.key += edge.toggle;
     *walk.out = edge;
     if (edge.rest / ActiveEdge::kOneLine == 0) {
@@ -79,10 +81,10 @@ WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smo
 LineWalk begin(Line& line, int width, int alive) {
   LineWalk walk;
   walk.edge = line.edges;
-  walk.fresh = line.edges + alive + 1;
+  walk.other = line.edges + alive + 1;
   walk.begin = walk.out = line.next;
   walk.side = LineWalk::side_of(width);
-  walk.limit = walk.next_limit();
+  walk.limit = walk.limit_by(walk.other->x);
   walk.left = 0;
   walk.key = 0;
   walk.furthest = INT32_MIN;
@@ -93,7 +95,7 @@ LineWalk begin(Line& line, int width, int alive) {
 
 void expect_same(const Line& a, const LineWalk& at_a, const Line& b, const LineWalk& at_b, int width) {
   ASSERT_EQ(at_a.edge - a.edges, at_b.edge - b.edges);
-  ASSERT_EQ(at_a.fresh - a.edges, at_b.fresh - b.edges);
+  ASSERT_EQ(at_a.other - a.edges, at_b.other - b.edges);
   ASSERT_EQ(at_a.out - a.next, at_b.out - b.next);
   ASSERT_EQ(at_a.limit, at_b.limit);
   ASSERT_EQ(at_a.left, at_b.left);
@@ -114,6 +116,8 @@ Line fast, slow;
 // Looks of which some are another face's, and some of another material.
 void make_looks(Random& random, Line& line) {
   for (std::uint16_t& color : colors) color = static_cast<std::uint16_t>(random.below(0x10000));
+  line.slots[0] = 0;
+  line.looks[0] = FaceLook::flat(0);
   for (FaceId face = 1; face <= kFaces; ++face) {
     line.slots[face] = static_cast<std::uint8_t>(face);
     const auto part = [&] { return static_cast<std::uint32_t>(random.next()); };
@@ -136,12 +140,11 @@ void compare(bool smooth) {
     if (smooth) make_looks(random, fast);
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
-    SmoothBrush brush(fast.looks);
+    SmoothBrush brush(fast.looks, fast.slots);
     brush.begin_line(y, fast.words[0]);
     brush.dip(kKnown, colors);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
     at_fast.painter = &brush;
-    if (smooth) at_fast.faces = fast.slots;
     for (;;) {
       const WalkStop stop = smooth ? smooth_walk(at_fast) : flat_walk(at_fast);
       ASSERT_TRUE(stop == walk_slowly(at_slow, slow, y, smooth)) << "seed " << seed;

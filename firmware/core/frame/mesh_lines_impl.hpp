@@ -23,11 +23,7 @@ struct MeshLines<kTaps>::Sink {
 
   void begin(LineWalk& walk) const {
     walk.pixels = painter.out();
-    if (kPaint == Paint::smooth_words) {
-      walk.faces = &mesh.slots_[0];
-    } else {
-      walk.faces = &mesh.words_[0];
-    }
+    walk.faces = &mesh.words_[0];
     walk.painter = &mesh.brush_;
   }
   WalkStop run(LineWalk& walk) const {
@@ -68,7 +64,7 @@ struct MeshLines<kTaps>::Sink {
       if constexpr (kPaint == Paint::flat_words) {
         return fill_span(painter.out(), left, right, mesh.words_[face]);
       }
-      const FaceLook& look = mesh.brush_.look(mesh.slots_[face]);
+      const FaceLook& look = mesh.brush_.look(face);
       if (mesh.brush_.knows(face, look)) {
         return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
       }
@@ -83,7 +79,7 @@ struct MeshLines<kTaps>::Sink {
       return painter.fill(left, right, mesh.words_[face]);
     }
     const bool smooth = learn(face);
-    const FaceLook& look = mesh.brush_.look(mesh.slots_[face]);
+    const FaceLook& look = mesh.brush_.look(face);
     if (!smooth) return painter.fill(left, right, look.color());
     painter.smooth(left, right, look.plane, mesh.brush_.colors());
   }
@@ -121,7 +117,10 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   if (const Status status = check(scene); !status.ok()) return status;
   cursor_ = InstanceCursor(scene_.scene());
   smooth_.clear();
-  brush_ = SmoothBrush(smooth_.looks());
+  if (smooth_.on()) {
+    slots_[0] = 0;
+    brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
+  }
   rows_ = DepthRows(scene_.scene(), camera_, screen_);
   walker_.begin(scene_.scene(), top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {

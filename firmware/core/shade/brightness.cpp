@@ -43,9 +43,11 @@ BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&cor
 }
 
 void SmoothCache::clear() {
-  for (std::uint32_t i = 0; on() && i <= looks_.capacity(); ++i) looks_[i].face = 0;
+  if (!on()) return;
+  for (std::uint32_t i = 0; i <= looks_.capacity(); ++i) looks_[i].face = 0;
+  looks_[0].material = FaceLook::kNoMaterial;
   oldest_ = 0;
-  for (std::uint32_t i = 0; on() && i <= table_mask_; ++i) tables_[i].material = 0xffff;
+  for (std::uint32_t i = 0; i <= table_mask_; ++i) tables_[i].material = FaceLook::kNoMaterial;
 }
 
 void SmoothCache::fill(ColorTable& table, std::uint16_t material, const Rgb8& color) {

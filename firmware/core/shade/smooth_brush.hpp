@@ -9,7 +9,8 @@ namespace spanline {
 class SmoothBrush {
  public:
   SmoothBrush() = default;
-  explicit SmoothBrush(const FaceLook* looks) : looks_(looks) {}
+  // slots[face] is the number of the face's look; slots[0] that of a look that is no face's.
+  SmoothBrush(const FaceLook* looks, const std::uint8_t* slots) : looks_(looks), slots_(slots) {}
 
   void begin_line(std::uint16_t line, std::uint16_t background) {
     line_ = line;
@@ -21,7 +22,7 @@ class SmoothBrush {
     colors_ = colors;
   }
 
-  const FaceLook& look(std::uint8_t slot) const { return looks_[slot]; }
+  const FaceLook& look(FaceId face) const { return looks_[slots_[face]]; }
   // Whether it is this face's, and of the brush's material.
   bool knows(FaceId face, const FaceLook& look) const {
     return (look.face | std::uint32_t{look.material} << 16) == (face | material_);
@@ -34,6 +35,7 @@ class SmoothBrush {
   static constexpr std::uint32_t kDry = std::uint32_t{FaceLook::kNoMaterial - 1u} << 16;
 
   const FaceLook* looks_ = nullptr;
+  const std::uint8_t* slots_ = nullptr;
   std::uint32_t material_ = kDry;  // in the upper half
   std::uint32_t line_ = 0;
   const std::uint16_t* colors_ = nullptr;

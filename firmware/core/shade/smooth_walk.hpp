@@ -6,16 +6,15 @@
 
 namespace spanline {
 
-// LineWalk::faces are bytes, the numbers of their looks; LineWalk::painter is a SmoothBrush. For any core.
+// LineWalk::painter is a SmoothBrush, LineWalk::faces is not used. For any core.
 inline WalkStop smooth_walk_plain(LineWalk& walk) {
-  const auto paint = [pixels = walk.pixels, slots = static_cast<const std::uint8_t*>(walk.faces),
-                      brush = *static_cast<const SmoothBrush*>(walk.painter)](std::int32_t left, std::int32_t right,
-                                                                              FaceId face) {
+  const auto paint = [pixels = walk.pixels, brush = *static_cast<const SmoothBrush*>(walk.painter)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
     if (face == 0) {
       fill_span(pixels, left, right, brush.background());
       return true;
     }
-    const FaceLook& look = brush.look(slots[face]);
+    const FaceLook& look = brush.look(face);
     if (!brush.knows(face, look)) [[unlikely]]
       return false;
     smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());

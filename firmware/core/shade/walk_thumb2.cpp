@@ -11,7 +11,7 @@ namespace spanline {
 
 static_assert(offsetof(LineWalk, edge) == 0 && offsetof(LineWalk, faces) == 28, "loaded by one instruction");
 static_assert(offsetof(LineWalk, furthest) == 20, "stored by one instruction");
-static_assert(offsetof(LineWalk, pixels) == 24 && offsetof(LineWalk, fresh) == 32 && offsetof(LineWalk, side) == 36);
+static_assert(offsetof(LineWalk, pixels) == 24 && offsetof(LineWalk, other) == 32 && offsetof(LineWalk, side) == 36);
 static_assert(offsetof(LineWalk, begin) == 40 && offsetof(LineWalk, painter) == 44);
 static_assert(kTwoFaces == 1u << 21 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kTall == 1u << 16);
 static_assert(ActiveEdge::kFraction == 20 && sizeof(ActiveEdge) == 16);
@@ -19,22 +19,21 @@ static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop
               static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
 static_assert(sizeof(FaceLook) == 16 && offsetof(FaceLook, plane) == 0 && offsetof(FaceLook, face) == 12);
 static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
-static_assert(sizeof(SmoothBrush) == 20, "looks, material, line, colours, background");
+static_assert(sizeof(SmoothBrush) == 24, "looks, slots, material, line, colours, background");
 
 asm(R"(
     .syntax unified
     .thumb
 
-@ Throughout: r1 edge, r2 out, r7 limit, r8 left, r9 key, r10 furthest, r11 pixels, r12 faces; [sp] the walk.
-@ The edge at hand: r3 x, r4 dx, r5 toggle, r6 rest.
+@ Throughout: r1 edge, r2 out, r7 limit, r8 left, r9 key, r10 furthest, r11 pixels, r12 faces or the brush; [sp] the
+@ walk, then its side. The edge at hand: r3 x, r4 dx, r5 toggle, r6 rest.
 
 @ Fills the span up to the column of x = r3 with r4, up to eight pixels too far. Takes r0, r3 to r6 and lr; left comes to
 @ the column.
     .macro fill_span
     add r0, r11, r8, lsl #1
-    tst r8, #1
-    it ne
-    strhne r4, [r0], #2             @ from here on whole words
+    strh r4, [r0], #2
+    bic r0, #3                      @ from here on whole words
     asr r8, r3, #20
     orr r4, r4, r4, lsl #16
     add r3, r11, r8, lsl #1
@@ -51,6 +50,9 @@ asm(R"(
 9:
     .endm
 
+    .macro flat_state
+    .endm
+
 @ The span of face r9.
     .macro flat_span unknown
     uxth lr, r9
@@ -58,39 +60,49 @@ asm(R"(
     fill_span
     .endm
 
-@ The same with the face's brightness, one pixel too far; to `unknown` where the brush does not know it.
-    .macro smooth_span unknown
-    ldr r0, [sp]
-    uxth lr, r9
-    ldr r0, [r0, #44]
-    cmp lr, #0
-    beq 8f
-    ldrb r4, [r12, lr]
-    ldm r0, {r0, r5, r6}            @ looks, material, line
-    add r4, r0, r4, lsl #4
-    orr r5, lr
-    ldr lr, [r4, #12]
-    cmp r5, lr
-    bne \unknown
-    ldm r4, {r0, r4, r5}            @ at_zero, right, down
-    mla r0, r6, r5, r0
-    ldr r6, [sp]
-    ldr r6, [r6, #44]
-    mla r5, r8, r4, r0
-    ldr r6, [r6, #12]               @ colours
-    add r0, r11, r8, lsl #1
-    asr r8, r3, #20
-    add r3, r11, r8, lsl #1
-7:  .rept 2
+    .macro smooth_state
+    ldr r12, [r0, #44]
+    .endm
+
+    .macro smooth_pixels count
+    .rept \count
     lsr lr, r5, #26
     ldrh lr, [r6, lr, lsl #1]
     add r5, r4
     strh lr, [r0], #2
     .endr
+    .endm
+
+@ The same with the face's brightness, up to three pixels too far; to `unknown` where the brush does not know it.
+    .macro smooth_span unknown
+    uxth lr, r9
+    ldm r12, {r0, r4, r5, r6}       @ looks, slots, material, line
+    ldrb r4, [r4, lr]
+    orr r5, lr
+    add r4, r0, r4, lsl #4
+    ldr lr, [r4, #12]
+    cmp r5, lr
+    bne 8f
+    ldm r4, {r0, r4, r5}            @ at_zero, right, down
+    mla r0, r6, r5, r0
+    mla r5, r8, r4, r0
+    add r0, r11, r8, lsl #1
+    asr r8, r3, #20
+    add r3, r11, r8, lsl #1
+    ldr r6, [r12, #16]              @ colours
+    .rept 2
+    smooth_pixels 2
+    cmp r0, r3
+    bhs 9f
+    .endr
+7:  smooth_pixels 4
     cmp r0, r3
     blo 7b
     b 9f
-8:  ldrh r4, [r0, #16]
+8:  uxth lr, r9
+    cmp lr, #0
+    bne \unknown
+    ldrh r4, [r12, #20]
     fill_span
     .endm
 
@@ -132,22 +144,25 @@ asm(R"(
     pop {r1, r2, r7, r9, r10, pc}
     .endm
 
-    .macro walk name, span
+    .macro walk name, state, span
     .section .text.\name, "ax", %progbits
     .p2align 2
     .global \name
     .type \name, %function
     .thumb_func
 \name:
-    push {r0, r4-r11, lr}
+    push {r4-r11, lr}
     ldm r0, {r1, r2, r7-r12}
+    ldr lr, [r0, #36]
+    \state
+    push {r0, lr}
 1:  ldm r1!, {r3-r6}
     cmp r3, r7
     bgt 20f
 2:  cmp r8, r3, asr #20
     bge 3f
     cmp r9, #0x200000
-    bhs 30f
+    bhs 31f
     \span 33f
     ldmdb r1, {r3-r6}
 3:  add r9, r5
@@ -162,29 +177,20 @@ asm(R"(
     cmp r3, r7
     ble 2b
 
-@ The next edge is one that begins, or lies beyond the side.
-20: ldr r0, [sp]
+@ The next edge is of the other run, or lies beyond the side.
+20: ldr lr, [sp, #4]
     sub r1, #16
-    ldr lr, [r0, #36]
     cmp r7, lr
     beq 32f
-    mov r3, r7
-    cmp r8, r3, asr #20
-    bge 21f
-    cmp r9, #0x200000
-    bhs 31f
-    \span 34f
-    ldr r0, [sp]
-    ldr lr, [r0, #36]
-21: ldr r4, [r0, #32]
-    adds r4, #16
-    str r4, [r0, #32]
-    ldr r7, [r4]
-    cmp r7, lr
-    it gt
+    cmp r3, lr
+    ite gt
     movgt r7, lr
-    ldmdb r4, {r3-r6}
-    b 3b
+    movle r7, r3
+    ldr r0, [sp]
+    ldr r3, [r0, #32]
+    str r1, [r0, #32]
+    mov r1, r3
+    b 1b
 
 @ The edge ends, or begins again.
 10: tst r6, #0x10000
@@ -194,14 +200,14 @@ asm(R"(
     movs r0, #2
     b 39f
 
-30: subs r1, #16
-31: movs r0, #1
+31: subs r1, #16
+    movs r0, #1
     b 39f
 32: movs r0, #0
     b 39f
 33: subs r1, #16
-34: movs r0, #3
-39: pop {r3}
+    movs r0, #3
+39: pop {r3, r4}
     stm r3, {r1, r2, r7-r10}
     pop {r4-r11, pc}
 
@@ -228,8 +234,8 @@ asm(R"(
     .size \name, . - \name
     .endm
 
-    walk spanline_flat_walk, flat_span
-    walk spanline_smooth_walk, smooth_span
+    walk spanline_flat_walk, flat_state, flat_span
+    walk spanline_smooth_walk, smooth_state, smooth_span
     .text
 )");
 

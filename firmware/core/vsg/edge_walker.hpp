@@ -157,13 +157,13 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
   // set is brought up to date by the edges at `left`.
   const std::int32_t left = walk.left;
   CoverKey key = walk.key;
-  const ActiveEdge *edge = walk.edge, *fresh = walk.fresh;
+  const ActiveEdge *edge = walk.alive(), *fresh = walk.begun();
   const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
   while (edge != &edges_[0][0] && at_left(edge[-1])) key -= (--edge)->toggle;
   while (fresh != &edges_[0][alive_ + 1] && at_left(fresh[-1])) key -= (--fresh)->toggle;
   if (key < kTwoFaces) overlap_.set(only_face(key));
-  for (; edge != walk.edge; ++edge) overlap_.toggle(*edge);
-  for (; fresh != walk.fresh; ++fresh) overlap_.toggle(*fresh);
+  for (; edge != walk.alive(); ++edge) overlap_.toggle(*edge);
+  for (; fresh != walk.begun(); ++fresh) overlap_.toggle(*fresh);
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) return;
   if constexpr (requires { plane.nearest(overlap_); }) {
@@ -186,10 +186,10 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
   overlap_.clear_overflow();
   LineWalk walk;
   walk.edge = &edges_[0][0];
-  walk.fresh = walk.edge + alive_ + 1;
+  walk.other = walk.edge + alive_ + 1;
   walk.begin = walk.out = &edges_[1][0];
   walk.side = LineWalk::side_of(screen_.width);
-  walk.limit = walk.next_limit();
+  walk.limit = walk.limit_by(walk.other->x);
   walk.left = 0;
   walk.key = 0;
   walk.furthest = INT32_MIN;
@@ -216,8 +216,8 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
 
   // At the right end spans are cut off.
   for (;;) {
-    const bool of_fresh = walk.fresh->x < walk.edge->x;
-    const ActiveEdge* const next = of_fresh ? walk.fresh : walk.edge;
+    if (walk.other->x < walk.edge->x) std::swap(walk.edge, walk.other);
+    const ActiveEdge* const next = walk.edge;
     std::int32_t column = next->column();
     static_assert(ActiveEdge::kNever >> ActiveEdge::kFraction > kMaxExtent, "the sentinel comes to this point");
     if (column > screen_.width) column = screen_.width;
@@ -230,7 +230,7 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
       walk.left = column;
     }
     if (next->x == ActiveEdge::kNever) break;
-    ++(of_fresh ? walk.fresh : walk.edge);
+    ++walk.edge;
     walk.key += next->toggle;
     *walk.out = *next;
     if (next->rest < ActiveEdge::kOneLine) {

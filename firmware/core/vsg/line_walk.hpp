@@ -1,6 +1,8 @@
 // One pass over the edges of a line, from left to right: where it stands, and its common part.
 #pragma once
 
+#include <utility>
+
 #include "core/vsg/active_edge.hpp"
 
 namespace spanline {
@@ -11,17 +13,18 @@ inline constexpr std::int32_t kOvershoot = 8;
 // Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
 void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
 
-// Assembly knows where each member stands.
+// The edges alive and those that begin on the line are two runs in order of x, merged on the way: edges are taken from
+// one as long as the other's next does not come before them. Assembly knows where each member stands.
 struct LineWalk {
-  const ActiveEdge* edge;   // the next of those alive
+  const ActiveEdge* edge;   // the next of the run at hand
   ActiveEdge* out;          // behind the last of the next line's
-  std::int32_t limit;       // the next edge is of those that begin, or at the right end, where edge->x is beyond this
+  std::int32_t limit;       // where edge->x is beyond this, the next edge is the other run's, or at the right end
   std::int32_t left;        // the column come to
   CoverKey key;             // of the pixels from there on
   std::int32_t furthest;    // x of out[-1]
   std::uint8_t* pixels;     // of the line, on a word boundary
   const void* faces;        // what the painter knows of each, by its id
-  const ActiveEdge* fresh;  // the next of those that begin on this line
+  const ActiveEdge* other;  // the next of the other run
   std::int32_t side;        // up to this x a span that ends there may overshoot
   ActiveEdge* begin;        // the first of the next line's
   const void* painter;      // what else is painted with
@@ -30,8 +33,12 @@ struct LineWalk {
   static constexpr std::int32_t side_of(std::int32_t width) {
     return (width - kOvershoot + 1) * (1 << ActiveEdge::kFraction) - 1;
   }
-  std::int32_t next_limit() const { return fresh->x < side ? fresh->x : side; }
-  const ActiveEdge* next() const { return edge->x > limit ? fresh : edge; }
+  // The limit of one run, where the other's next edge has this x.
+  std::int32_t limit_by(std::int32_t x) const { return x < side ? x : side; }
+  const ActiveEdge* next() const { return edge->x > limit ? other : edge; }
+  // The next of those alive, and of those that begin, which stand behind them.
+  const ActiveEdge* alive() const { return edge < other ? edge : other; }
+  const ActiveEdge* begun() const { return edge < other ? other : edge; }
   // Puts *out, which its left neighbours may be beyond, in its place.
   void put_out() {
     if (out->x < furthest) [[unlikely]] {
@@ -61,14 +68,13 @@ WalkStop walk_on(LineWalk& walk, const Paint& paint) {
   CoverKey key = walk.key;
   WalkStop stop;
   for (;;) {
-    const ActiveEdge* next = edge;
-    std::int32_t x = next->x;
-    const bool of_fresh = x > limit;
-    if (of_fresh) [[unlikely]] {
+    std::int32_t x = edge->x;
+    if (x > limit) [[unlikely]] {
       stop = WalkStop::side;
       if (limit == walk.side) break;
-      next = walk.fresh;
-      x = limit;
+      limit = walk.limit_by(x);
+      std::swap(edge, walk.other);
+      continue;
     }
     const std::int32_t column = x >> ActiveEdge::kFraction;
     if (column > left) {
@@ -80,15 +86,10 @@ WalkStop walk_on(LineWalk& walk, const Paint& paint) {
         break;
       left = column;
     }
-    const CoverKey toggle = next->toggle;
-    const std::uint32_t rest = next->rest;
-    const std::int32_t dx = next->dx;
-    if (of_fresh) [[unlikely]] {
-      ++walk.fresh;
-      limit = walk.next_limit();
-    } else {
-      ++edge;
-    }
+    const CoverKey toggle = edge->toggle;
+    const std::uint32_t rest = edge->rest;
+    const std::int32_t dx = edge->dx;
+    ++edge;
     key += toggle;
     out->dx = dx;
     out->toggle = toggle;
