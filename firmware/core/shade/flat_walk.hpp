@@ -15,7 +15,7 @@ inline WalkStop flat_walk_plain(LineWalk& walk) {
   return walk_on(walk, paint);
 }
 
-#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+#if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.
 WalkStop flat_walk(LineWalk& walk) asm("spanline_flat_walk");
 #else

@@ -23,7 +23,7 @@ inline WalkStop smooth_walk_plain(LineWalk& walk) {
   return walk_on(walk, paint);
 }
 
-#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+#if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.
 WalkStop smooth_walk(LineWalk& walk) asm("spanline_smooth_walk");
 #else

@@ -1,25 +1,14 @@
 // The walks of lines of RGB565 in assembly, for cores with Thumb-2: walk_on() of core/vsg/line_walk.hpp, with spans of
 // one colour, and with smooth ones.
-#include <cstddef>
-
 #include "core/shade/flat_walk.hpp"
 #include "core/shade/smooth_walk.hpp"
+#include "core/shade/walk_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
 
 namespace spanline {
 
-static_assert(offsetof(LineWalk, edge) == 0 && offsetof(LineWalk, faces) == 28, "loaded by one instruction");
-static_assert(offsetof(LineWalk, furthest) == 20, "stored by one instruction");
-static_assert(offsetof(LineWalk, pixels) == 24 && offsetof(LineWalk, other) == 32 && offsetof(LineWalk, side) == 36);
-static_assert(offsetof(LineWalk, begin) == 40 && offsetof(LineWalk, painter) == 44);
-static_assert(kTwoFaces == 1u << 21 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kTall == 1u << 16);
-static_assert(ActiveEdge::kFraction == 20 && sizeof(ActiveEdge) == 16);
-static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop::front) == 1 &&
-              static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
-static_assert(sizeof(FaceLook) == 16 && offsetof(FaceLook, plane) == 0 && offsetof(FaceLook, face) == 12);
-static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
-static_assert(sizeof(SmoothBrush) == 24, "looks, slots, material, line, colours, background");
+static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
 
 asm(R"(
     .syntax unified

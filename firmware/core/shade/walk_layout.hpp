@@ -1,0 +1,28 @@
+// What the walks in assembly know of the types they work on.
+#pragma once
+
+#include <cstddef>
+
+#include "core/shade/smooth_brush.hpp"
+#include "core/vsg/line_walk.hpp"
+
+namespace spanline {
+
+// On cores of 32 bits.
+template <typename Walk, typename Look, typename Brush>
+constexpr bool walk_layout_holds() {
+  static_assert(offsetof(Walk, edge) == 0 && offsetof(Walk, faces) == 28, "loaded by one instruction");
+  static_assert(offsetof(Walk, furthest) == 20, "stored by one instruction");
+  static_assert(offsetof(Walk, pixels) == 24 && offsetof(Walk, other) == 32 && offsetof(Walk, side) == 36);
+  static_assert(offsetof(Walk, begin) == 40 && offsetof(Walk, painter) == 44);
+  static_assert(kTwoFaces == 1u << 21 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kTall == 1u << 16);
+  static_assert(ActiveEdge::kFraction == 20 && sizeof(ActiveEdge) == 16);
+  static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop::front) == 1 &&
+                static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
+  static_assert(sizeof(Look) == 16 && offsetof(Look, plane) == 0 && offsetof(Look, face) == 12);
+  static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
+  static_assert(sizeof(Brush) == 24, "looks, slots, material, line, colours, background");
+  return true;
+}
+
+}  // namespace spanline
