@@ -7,6 +7,7 @@
 #include "assetc/fixed_point.hpp"
 #include "assetc/input_error.hpp"
 #include "assetc/merge.hpp"
+#include "assetc/triangulate.hpp"
 
 namespace spanline::host {
 namespace {
@@ -175,6 +176,19 @@ void CompiledScene::merge_coplanar(std::size_t mesh, std::uint32_t most_corners)
   MeshTables merged = host::merge_coplanar(meshes_[mesh], scene_.meshes[mesh].place, most_corners);
   build_fans(merged);
   replace(mesh, std::move(merged));
+}
+
+std::vector<std::string> CompiledScene::triangulate() {
+  std::vector<std::string> left;
+  for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) {
+    if (std::optional<MeshTables> triangles = host::triangulate(meshes_[mesh], scene_.meshes[mesh].place)) {
+      replace(mesh, std::move(*triangles));
+    } else {
+      left.push_back(meshes_[mesh].name);
+    }
+  }
+  check_totals(scene_, meshes_);
+  return left;
 }
 
 void CompiledScene::replace(std::size_t mesh, MeshTables tables) {

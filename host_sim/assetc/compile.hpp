@@ -64,6 +64,9 @@ class CompiledScene {
   // Makes larger faces of coplanar neighbours (merge.hpp). Faces are numbered anew.
   void merge_coplanar(std::uint32_t most_corners);
   void merge_coplanar(std::size_t mesh, std::uint32_t most_corners);
+  // Cuts faces into triangles (triangulate.hpp). Faces are numbered anew. The names of the meshes for which that cannot
+  // be, which stay as they are.
+  std::vector<std::string> triangulate();
   // Puts other tables in the place of a mesh's.
   void replace(std::size_t mesh, MeshTables tables);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "assetc/face_table.hpp"
 #include "assetc/merge_outline.hpp"
+#include "assetc/ring_faces.hpp"
 
 namespace spanline::host {
 namespace {
@@ -13,38 +13,10 @@ __extension__ using Wide = __int128;
 
 Wide wide_dot(GridVector a, GridVector b) { return Wide{a.x} * b.x + Wide{a.y} * b.y + Wide{a.z} * b.z; }
 
-struct Face {
-  std::vector<Ring> rings;
-  std::uint16_t material = 0;
-  bool curved = false;  // joined with no other
-  GridVector normal;    // of the first ring
-};
-
-std::vector<Face> faces_of(const MeshTables& mesh) {
-  std::vector<Face> faces;
-  for (const FaceGroup& group : mesh.groups) {
-    for (std::uint32_t i = 0; i < group.face_count; ++i) {
-      auto corner = mesh.corners.begin() + group.first_corner + std::ptrdiff_t{group.corners_per_face} * i;
-      Face face;
-      for (std::uint32_t ring = 0; ring < group.rings(); ++ring) {
-        const std::uint16_t count =
-            group.rings() == 1 ? group.corners_per_face : mesh.contours[group.first_contour + ring];
-        face.rings.emplace_back(corner, corner + count);
-        corner += count;
-      }
-      face.material = group.material;
-      face.curved = group.curved();
-      face.normal = newell(face.rings.front(), mesh.positions);
-      faces.push_back(std::move(face));
-    }
-  }
-  return faces;
-}
-
 class Merger {
  public:
   Merger(const MeshTables& mesh, const std::string& place, std::uint32_t most_corners)
-      : mesh_(mesh), place_(place), most_corners_(most_corners), faces_(faces_of(mesh)), home_(faces_.size()) {
+      : mesh_(mesh), place_(place), most_corners_(most_corners), faces_(ring_faces(mesh)), home_(faces_.size()) {
     std::iota(home_.begin(), home_.end(), std::size_t{0});
     for (std::size_t i = 0; i < first_detail(); ++i) {
       for_each_edge(faces_[i], [&](std::uint16_t from, std::uint16_t to) { over_.insert({{from, to}, i}); });
@@ -66,7 +38,7 @@ class Merger {
 
  private:
   template <typename Action>
-  static void for_each_edge(const Face& face, Action action) {
+  static void for_each_edge(const RingFace& face, Action action) {
     for (const Ring& ring : face.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) action(ring[i], ring[(i + 1) % ring.size()]);
     }
@@ -75,7 +47,7 @@ class Merger {
   Wide area(std::size_t face) const { return wide_dot(faces_[face].normal, faces_[face].normal); }
 
   // Whether Gouraud shading, if the scene has it, gives the face one colour: all corners have `normal`.
-  bool smooth_with(const Face& face, std::uint32_t normal) const {
+  bool smooth_with(const RingFace& face, std::uint32_t normal) const {
     if (mesh_.vertex_normals.empty()) return true;
     return std::all_of(face.rings.begin(), face.rings.end(), [&](const Ring& ring) {
       return std::all_of(ring.begin(), ring.end(),
@@ -84,7 +56,7 @@ class Merger {
   }
 
   // Every corner is at most one unit off the seed's plane: (n . d)^2 <= n . n.
-  bool in_plane_of(const Face& seed, const Face& face) const {
+  bool in_plane_of(const RingFace& seed, const RingFace& face) const {
     const Position& origin = mesh_.positions[seed.rings[0][0]];
     const Wide limit = wide_dot(seed.normal, seed.normal);
     bool near = true;
@@ -99,8 +71,8 @@ class Merger {
 
   bool belongs(std::size_t seed, std::size_t face) const {
     if (seed >= first_detail()) return false;
-    const Face& a = faces_[seed];
-    const Face& b = faces_[face];
+    const RingFace& a = faces_[seed];
+    const RingFace& b = faces_[face];
     if (b.curved || a.material != b.material || mesh_.face_normals[seed].packed != mesh_.face_normals[face].packed)
       return false;
     if (area(face) == 0 || wide_dot(a.normal, b.normal) <= 0) return false;
@@ -163,14 +135,11 @@ class Merger {
       const std::vector<Ring>& rings = faces_[i].rings;
       if (rings.empty()) continue;
       now[i] = out.face_count;
-      TableFace face{
-          static_cast<std::uint32_t>(out.corners.size()), 0, {}, faces_[i].material, false, faces_[i].curved};
-      for (const Ring& ring : rings) {
-        if (rings.size() > 1) face.rings.push_back(static_cast<std::uint16_t>(ring.size()));
-        for (const std::uint16_t vertex : ring) out.corners.push_back(renumbered(vertex, out));
+      std::vector<Ring> renamed = rings;
+      for (Ring& ring : renamed) {
+        for (std::uint16_t& vertex : ring) vertex = renumbered(vertex, out);
       }
-      face.corner_count = static_cast<std::uint32_t>(out.corners.size()) - face.first_corner;
-      append_face(out, face, place_);
+      append_rings(out, renamed, faces_[i].material, faces_[i].curved, place_);
       out.face_normals.push_back(mesh_.face_normals[i]);
     }
     for (CurveRecord curve : mesh_.curves) {
@@ -188,7 +157,7 @@ class Merger {
   const MeshTables& mesh_;
   const std::string& place_;
   const std::uint32_t most_corners_;
-  std::vector<Face> faces_;
+  std::vector<RingFace> faces_;
   std::vector<std::size_t> home_;                                             // the face that each has become part of
   std::multimap<std::pair<std::uint16_t, std::uint16_t>, std::size_t> over_;  // directed edge to the faces that have it
   std::vector<bool> taken_ = std::vector<bool>(faces_.size());

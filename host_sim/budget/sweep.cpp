@@ -106,10 +106,18 @@ Budget with_margin(Budget budget) {
   return budget;
 }
 
-Budget suggested_for(const SceneDescription& scene, std::int64_t last) {
+// As the edge walker wants it.
+CompiledScene in_triangles(const SceneDescription& scene) {
   CompiledScene compiled = compile(scene);
-  const std::optional<Budget> edges = fitted_edge_budget(compiled, 0, last);
-  return with_margin(edges ? *edges : fitted_budget(compiled, 0, last));
+  compiled.triangulate();
+  return compiled;
+}
+
+Budget suggested_for(const SceneDescription& scene, std::int64_t last) {
+  CompiledScene triangles = in_triangles(scene);
+  if (const std::optional<Budget> edges = fitted_edge_budget(triangles, 0, last)) return with_margin(*edges);
+  CompiledScene compiled = compile(scene);
+  return with_margin(fitted_budget(compiled, 0, last));
 }
 
 }  // namespace
@@ -118,10 +126,11 @@ Sweep sweep(const SceneDescription& scene) {
   const std::int64_t frames = frames_of(scene), last = std::min(frames, kMostFrames) - 1;
   Sweep result{{}, suggested_for(scene, last), kMarginPercent};
   for (const Size& size : kDisplays) {
-    CompiledScene compiled = compile(resized(scene, size));
-    if (const std::optional<Budget> edges = fitted_edge_budget(compiled, 0, last)) {
-      result.rows.push_back(draw_with(compiled, *edges, kPoolPercents[0], frames));
+    CompiledScene triangles = in_triangles(resized(scene, size));
+    if (const std::optional<Budget> edges = fitted_edge_budget(triangles, 0, last)) {
+      result.rows.push_back(draw_with(triangles, *edges, kPoolPercents[0], frames));
     }
+    CompiledScene compiled = compile(resized(scene, size));
     const Budget fitted = fitted_budget(compiled, 0, last);
     for (const unsigned percent : kPoolPercents) {
       result.rows.push_back(draw_with(compiled, shrunk(fitted, percent), percent, frames));

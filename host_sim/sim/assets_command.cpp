@@ -18,7 +18,8 @@ constexpr const char* kFooter =
     "Coplanar neighbours of one material become one face where outlines and colours stay the same. A mesh that would "
     "change a pixel that way, because something pierces or touches it, stays as it is: pictures from all around and "
     "along the motion are compared. Merging numbers the faces anew; `spanline render` never merges, so its --ids are "
-    "those of the scene as it is written.";
+    "those of the scene as it is written. With --triangles every face is cut into triangles instead, which is what the "
+    "edge walker draws (Budget::walker): outlines and flat colours stay the same, and faces are numbered anew, too.";
 
 }  // namespace
 
@@ -29,6 +30,7 @@ AssetsCommand::AssetsCommand(CLI::App& app)
   verb_->add_option("--header", header_, "the header with the declarations");
   verb_->add_flag("--no-merge", no_merge_, "keep coplanar neighbours apart");
   verb_->add_option("--merge-most", merge_most_, "corners of a merged face at most (default: 64)");
+  verb_->add_flag("--triangles", triangles_, "cut every face into triangles, for the edge walker");
   verb_->add_flag("--report", report_, "print what the tables occupy, and how many faces there were before merging");
   verb_->footer(kFooter);
 }
@@ -38,13 +40,22 @@ std::uint32_t AssetsCommand::merge_most() const {
   return static_cast<std::uint32_t>(parse_integer("--merge-most", *merge_most_, 3, 65535));
 }
 
+// Faces as the walker in view likes them; says on the standard error which meshes stay as they are.
+void AssetsCommand::rework(CompiledScene& scene) const {
+  const auto note = [](const std::vector<std::string>& meshes, const char* why) {
+    for (const std::string& mesh : meshes) std::cerr << "spanline: note: the faces of " << mesh << why << '\n';
+  };
+  if (triangles_) {
+    note(scene.triangulate(), " stay as they are: of patches, curves, detail or crossing themselves");
+  } else if (!no_merge_) {
+    note(merge_unseen(scene, merge_most()).kept_apart, " stay apart: merged they would change a pixel");
+  }
+}
+
 void AssetsCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));
   const TableSizes before = table_sizes(scene);
-  const UnseenMerge merge = no_merge_ ? UnseenMerge{} : merge_unseen(scene, merge_most());
-  for (const std::string& mesh : merge.kept_apart) {
-    std::cerr << "spanline: note: the faces of " << mesh << " stay apart: merged they would change a pixel\n";
-  }
+  rework(scene);
   const SceneRecord record = scene.record();
   validated(record, scene.description().place);
   const std::string name = identifier_from(header_.value_or(out_));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "assetc/compile.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::host {
@@ -19,12 +20,13 @@ class AssetsCommand {
 
  private:
   std::uint32_t merge_most() const;
+  void rework(CompiledScene& scene) const;
 
   CLI::App* verb_;
   SceneOptions scene_;
   std::string out_;
   std::optional<std::string> header_, merge_most_;
-  bool no_merge_ = false, report_ = false;
+  bool no_merge_ = false, triangles_ = false, report_ = false;
 };
 
 }  // namespace spanline::host

@@ -53,8 +53,10 @@ PrepareCommand::PrepareCommand(CLI::App& app)
 void PrepareCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));
   // Larger faces are fewer, but the edge walker draws triangles.
+  scene.triangulate();
   std::optional<Budget> budget = fitted_edge_budget(scene, 0, 0);
   if (!budget) {
+    scene = compile(scene_.load(false));
     scene.merge_coplanar(kMostMergedCorners);
     budget = fitted_budget(scene, 0, 0, point_lines_);
   }
