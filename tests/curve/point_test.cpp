@@ -183,6 +183,27 @@ TEST(Points, PiecesDoNotDependOnTheWindow) {
   }
 }
 
+// A patch that is but a curve, its rows being points, seen nearly along itself: what perspective wants cut is cut along
+// the curve, so that there is not much more to look at than the pixels that it crosses.
+TEST(Points, APatchThatIsACurveIsCutAlongItAlone) {
+  const PatchView view = random_view(1, 1, 8);
+  const std::int32_t nearest = view.projection.near_w;
+  for (const bool rows_are_points : {true, false}) {
+    for (int end = -2; end <= 60; ++end) {  // from behind the eye, from before it, to far off
+      ClipPatch patch{};
+      for (int i = 0; i < 4; ++i) {
+        const ClipPoint p{nearest / 700 * (i % 2), nearest / 200 * (1 + i / 2), nearest * (3 + i * end) / 3};
+        for (int j = 0; j < 4; ++j) (rows_are_points ? patch.at[i][j] : patch.at[j][i]) = p;
+      }
+      PieceCutter cutter(patch, view.projection, all_of(kPatchScreen), false);
+      std::uint32_t pieces = 0;
+      for (ScreenPiece piece; cutter.next(piece);) ++pieces;
+      EXPECT_GE(pieces, 1u) << end;
+      EXPECT_LE(cutter.looks(), 130u) << end;
+    }
+  }
+}
+
 // Points stepped to over the pixels that they lie in, a patch at a time, the whole picture being one band.
 TEST(Points, TheTeapotTakesNoMoreThanTwoAndAHalfPointsAPixel) {
   const auto patches = teapot_patches();

@@ -68,6 +68,60 @@ void count_steps(ScreenPiece& piece) {
   piece.rows = steps_for(across);
 }
 
+// Whether the distance changes along u at least as much as along v.
+bool deeper_along_u(const ClipPatch& net) {
+  std::uint32_t along = 0, across = 0;
+  const auto raise = [](std::uint32_t& most, const ClipPoint& a, const ClipPoint& b) {
+    const std::uint32_t leg = a.w > b.w ? static_cast<std::uint32_t>(a.w) - static_cast<std::uint32_t>(b.w)
+                                        : static_cast<std::uint32_t>(b.w) - static_cast<std::uint32_t>(a.w);
+    if (leg > most) most = leg;
+  };
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      raise(along, net.at[i][j + 1], net.at[i][j]);
+      raise(across, net.at[j + 1][i], net.at[j][i]);
+    }
+  }
+  return along >= across;
+}
+
+// Between its corners a speck goes straight in depth, which may change by more there than curves have room for.
+void straighten(std::int32_t (&at)[4][4]) {
+  const auto along = [](std::int32_t first, std::int32_t& second, std::int32_t& third, std::int32_t last) {
+    const std::int32_t part = (last - first) / 3;
+    second = first + part;
+    third = last - part;
+  };
+  for (const int i : {0, 3}) along(at[i][0], at[i][1], at[i][2], at[i][3]);
+  for (int j = 0; j < 4; ++j) along(at[0][j], at[1][j], at[2][j], at[3][j]);
+}
+
+// What a piece's control points reach to on the screen: x and y, Q13.19 px.
+struct Extent {
+  std::int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
+
+  explicit Extent(const ScreenPiece& piece) {
+    for (int axis = kPointX; axis <= kPointY; ++axis) {
+      for (const auto& row : piece.at[axis]) {
+        for (const std::int32_t v : row) {
+          least[axis] = v < least[axis] ? v : least[axis];
+          most[axis] = v > most[axis] ? v : most[axis];
+        }
+      }
+    }
+  }
+
+  // A pixel is added all round: so far, and no farther, the piece stepped off may leave the hull of its projected net.
+  bool meets(const PointWindow& window) const {
+    return (most[kPointX] >> kPointBits) >= -1 && (least[kPointX] >> kPointBits) <= window.width &&
+           (most[kPointY] >> kPointBits) >= window.top - 1 && (least[kPointY] >> kPointBits) <= window.bottom;
+  }
+  bool is_speck() const {
+    constexpr std::int32_t kSpeck = 1 << (kPointBits - 3);
+    return most[kPointX] - least[kPointX] <= kSpeck && most[kPointY] - least[kPointY] <= kSpeck;
+  }
+};
+
 struct Leg {
   std::int32_t x, y;  // 1/1024 px
 };
@@ -172,6 +226,7 @@ bool PieceCutter::next(ScreenPiece& out) {
 }
 
 PieceCutter::Verdict PieceCutter::look(ScreenPiece& out) {
+  ++looks_;
   const Verdict rest = cuts_ == kMostCuts ? Verdict::nothing : Verdict::cut;
   const std::int32_t nearest = projection_.near_w;
   std::int32_t low = INT32_MAX, high = INT32_MIN;
@@ -182,16 +237,24 @@ PieceCutter::Verdict PieceCutter::look(ScreenPiece& out) {
     }
   }
   if (high < nearest) return Verdict::nothing;
-  cut_u_ = u_.level <= v_.level;
+  cut_u_ = deeper_along_u(net_);
   if (low < nearest / 2 + 1) return aside() ? Verdict::nothing : rest;
   const bool inside = project(out);
-  if (!meets_window(out)) return Verdict::nothing;
+  const Extent extent(out);
+  if (!extent.meets(window_)) return Verdict::nothing;
   count_steps(out);
+  if (inside && out.columns <= kPieceSteps && out.rows <= kPieceSteps) {
+    if (high - low > low / 8) {
+      if (!extent.is_speck()) return rest;
+      straighten(out.at[kPointDepth]);
+      return Verdict::piece;
+    }
+    fit(out);
+    count_steps(out);
+    if (out.columns <= kMostPieceSteps && out.rows <= kMostPieceSteps) return Verdict::piece;
+  }
   cut_u_ = out.columns >= out.rows;
-  if (!inside || high - low > low / 8 || out.columns > kPieceSteps || out.rows > kPieceSteps) return rest;
-  fit(out);
-  count_steps(out);
-  return out.columns > kMostPieceSteps || out.rows > kMostPieceSteps ? rest : Verdict::piece;
+  return rest;
 }
 
 // Whether all of the net lies beyond one of the planes through the eye and the window's borders; what of it lies before
@@ -235,21 +298,6 @@ bool PieceCutter::project(ScreenPiece& out) const {
     }
   }
   return inside;
-}
-
-// A pixel is added all round: so far, and no farther, the piece stepped off may leave the hull of its projected net.
-bool PieceCutter::meets_window(const ScreenPiece& piece) const {
-  std::int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
-  for (int axis = kPointX; axis <= kPointY; ++axis) {
-    for (const auto& row : piece.at[axis]) {
-      for (const std::int32_t v : row) {
-        least[axis] = v < least[axis] ? v : least[axis];
-        most[axis] = v > most[axis] ? v : most[axis];
-      }
-    }
-  }
-  return (most[kPointX] >> kPointBits) >= -1 && (least[kPointX] >> kPointBits) <= window_.width &&
-         (most[kPointY] >> kPointBits) >= window_.top - 1 && (least[kPointY] >> kPointBits) <= window_.bottom;
 }
 
 // At a corner c, with the neighbours' weights relative to its own (1 + k) and r = (1 + k) * (p - c), the projected

@@ -4,6 +4,11 @@
 // taken to the screen as a bicubic patch whose points, tangents and twists at the corners are those of the projected
 // one, which it then follows within a sixth of a pixel (tests): perspective is paid once a piece, not once a point.
 //
+// What is cut is what makes the piece too much: the direction with the more steps where it is long on the screen, the
+// one that its distance changes along where that changes by more than an eighth, for perspective to be followed. So few
+// are cut: a patch seen along itself, which covers next to nothing, is cut across its depth, never along what is short
+// already. Where all of a deep piece lies within an eighth of a pixel, its corners are all that there is to see of it.
+//
 // Why no hole is left. A piece is stepped off on a grid of rows x columns points, so many that by the bound of its
 // derivatives (three times the longest leg of its control net, the maximum norm) neighbours on the grid are at most
 // kLongestStep apart in x and in y. Their pixels then touch, by a side or a corner. Take the pixels' centres as the
@@ -63,6 +68,8 @@ class PieceCutter {
   PieceCutter(const ClipPatch& patch, const Projection& projection, const PointWindow& window, bool mirrored);
 
   bool next(ScreenPiece& out);
+  // Nets looked at so far: the work done.
+  std::uint32_t looks() const { return looks_; }
 
  private:
   static constexpr std::uint32_t kMostCuts = 32;
@@ -71,7 +78,6 @@ class PieceCutter {
   Verdict look(ScreenPiece& out);
   bool aside() const;
   bool project(ScreenPiece& out) const;
-  bool meets_window(const ScreenPiece& piece) const;
   void fit(ScreenPiece& piece) const;
   void descend();
   void advance();
@@ -89,6 +95,7 @@ class PieceCutter {
   // The cuts that led here, bit by bit from the first: along which direction, and whether to the second half. Where a
   // second half is not among those kept any more, the cuts to it are made again.
   std::uint32_t along_u_ = 0, second_ = 0, cuts_ = 0;
+  std::uint32_t looks_ = 0;
   bool cut_u_ = false;  // the direction to cut next
   bool done_ = false;
   static constexpr std::uint32_t kKept = 2;
