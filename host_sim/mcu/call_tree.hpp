@@ -25,21 +25,22 @@ class CallTree {
   };
   static constexpr std::uint32_t kRoot = UINT32_MAX;
 
-  CallTree() : nodes_{{0, kRoot, Stage::other, false, {}, {}}} {}
+  CallTree() : nodes_{{0, kRoot, Stage::other, false, {}, {}}}, recent_(kRecent) {}
 
   // The next instruction belongs to this place.
   void at(std::uint32_t place, const Places& places) {
     if (place == place_) return;
     place_ = place;
-    node_ = find(place, places);
+    Recent& recent = recent_[(place ^ base_ << 4) % kRecent];
+    if (recent.base != base_ || recent.place != place) recent = {base_, place, find(place, places)};
+    node_ = recent.node;
   }
   Stage stage() const { return nodes_[node_].stage; }
   std::uint32_t node() const { return node_; }
 
   // The functions that were on their way at `node`, outermost first, what is inlined left out; by frame.
   std::vector<std::uint32_t> callers_of(std::uint32_t node) const;
-  void charge(const Count& count) { charge_at(node_, count); }
-  void charge_at(std::uint32_t node, const Count& count) { nodes_[node].self += count; }
+  void charge(std::uint32_t node, const Count& count) { nodes_[node].self += count; }
 
   // A call that will come back to `return_to`; a jump somewhere, perhaps back.
   void call(std::uint32_t return_to);
@@ -64,6 +65,12 @@ class CallTree {
   std::vector<Caller> callers_;
   std::uint32_t base_ = 0, node_ = 0, place_ = kNoPlace;
   std::unordered_map<std::uint64_t, std::uint32_t> known_;  // base and place
+  // Some of these, by their last bits: inlined code changes its place every few instructions.
+  struct Recent {
+    std::uint32_t base = 0, place = kNoPlace, node = 0;
+  };
+  static constexpr std::uint32_t kRecent = 1024;
+  std::vector<Recent> recent_;
 };
 
 }  // namespace spanline::host

@@ -43,7 +43,6 @@ const CycleModel::Rules& CycleModel::rules_of(Core core) {
 namespace {
 
 constexpr std::uint32_t kIoPort = 0xD000'0000;  // to 0xDFFF'FFFF
-constexpr std::uint32_t kSram = 0x2000'0000;    // code from here to 0x3FFF'FFFF is fetched over the system bus
 constexpr unsigned kFetchBuffer = 6;            // halfwords
 
 // Code, SRAM, peripherals, external RAM…: each region of 512 MB is a memory of its own to the bus.
@@ -83,7 +82,7 @@ CycleModel::CycleModel(Core core) : rules_(rules_of(core)), is_m3_(core == Core:
 unsigned CycleModel::load_cycles(const Instruction& now, const Execution& how) const {
   if (rules_.io_port != 0 && how.data_address >> 28 == kIoPort >> 28) return rules_.io_port;
   if (!rules_.overlaps) return 2;
-  const bool same_memory = memory_of(how.data_address) == memory_of(previous_data_);
+  const bool same_memory = memory_of(how.data_address) == memory_of(previous_.data_address);
   if (previous_.kind == Kind::store) return same_memory ? 3 : 2;
   if (previous_.kind != Kind::load || previous_.writes_pc || !same_memory) return 2;
   const bool loaded_its_address = (previous_.writes & now.address_registers) != 0;
@@ -105,11 +104,11 @@ unsigned CycleModel::jump_cycles(const Instruction& now, const Execution& how) c
   switch (now.kind) {
     case Kind::branch:
       cycles = rules_.branch;
-      fetched_early = previous_cycles_ >= 2;
+      fetched_early = previous_.cycles >= 2;
       break;
     case Kind::call:
       cycles = rules_.call;
-      fetched_early = previous_cycles_ >= 2;
+      fetched_early = previous_.cycles >= 2;
       break;
     case Kind::exchange:
     case Kind::move_pc:
@@ -179,7 +178,7 @@ unsigned CycleModel::own_cycles(const Instruction& now, const Execution& how) co
 
 // A word of code in SRAM takes two cycles; jumps begin with the word that their own cycles brought.
 unsigned CycleModel::fetch_stall(const Instruction& now, const Execution& how, unsigned cycles) {
-  if (!rules_.overlaps || how.address - kSram >= 0x2000'0000) return 0;
+  if (!rules_.overlaps || !fetches_slowly(how.address)) return 0;
   const unsigned wanted = now.size / 2u;
   fetched_ = std::min(fetched_ + cycles, kFetchBuffer);
   const unsigned stall = wanted > fetched_ ? wanted - fetched_ : 0;
@@ -187,7 +186,7 @@ unsigned CycleModel::fetch_stall(const Instruction& now, const Execution& how, u
   return stall;
 }
 
-unsigned CycleModel::step(const Instruction& now, const Execution& how) {
+unsigned CycleModel::step_of_any(const Instruction& now, const Execution& how) {
   unsigned cycles = own_cycles(now, how);
   const bool address_just_made = is_alu(previous_.kind) && (previous_.writes & now.address_registers) != 0;
   if (rules_.overlaps && now.touches_memory() && address_just_made) ++cycles;
@@ -195,18 +194,17 @@ unsigned CycleModel::step(const Instruction& now, const Execution& how) {
   cycles += jump_cycles(now, how);
   cycles += fetch_stall(now, how, cycles);
   if (now.kind == Kind::if_then && cycles == 0) return 0;  // neighbours overlap as though it were not there
-  previous_ = now;
-  previous_data_ = how.data_address;
-  previous_cycles_ = cycles;
+  previous_ = {now.kind, now.size, now.write_back, now.writes_pc, now.writes, how.data_address, cycles};
   return cycles;
 }
 
 unsigned CycleModel::enter_exception() const { return rules_.exception; }
 
 unsigned CycleModel::skip() {
-  previous_ = Instruction{};
-  previous_cycles_ = 1;
-  return 1;
+  const std::uint32_t data_address = previous_.data_address;
+  previous_ = {};
+  previous_.data_address = data_address;
+  return previous_.cycles;
 }
 
 }  // namespace spanline::host

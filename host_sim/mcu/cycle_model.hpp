@@ -25,7 +25,11 @@ class CycleModel {
   explicit CycleModel(Core core);
 
   // Cycles of the next instruction executed. Order matters: neighbours overlap.
-  unsigned step(const Instruction& now, const Execution& how);
+  unsigned step(const Instruction& now, const Execution& how) {
+    if (now.kind != Kind::alu || fetches_slowly(how.address)) return step_of_any(now, how);
+    previous_ = {now.kind, now.size, now.write_back, now.writes_pc, now.writes, 0, 1};
+    return 1;
+  }
 
   // Cycles from an interrupt to its handler's first instruction.
   unsigned enter_exception() const;
@@ -36,17 +40,27 @@ class CycleModel {
  private:
   struct Rules;
   static const Rules& rules_of(Core core);
+  static bool fetches_slowly(std::uint32_t address) { return address >> 29 == 1; }  // from SRAM, over the system bus
+  unsigned step_of_any(const Instruction& now, const Execution& how);
   unsigned own_cycles(const Instruction& now, const Execution& how) const;
   unsigned load_cycles(const Instruction& now, const Execution& how) const;
   unsigned store_cycles(const Instruction& now) const;
   unsigned jump_cycles(const Instruction& now, const Execution& how) const;
   unsigned fetch_stall(const Instruction& now, const Execution& how, unsigned cycles);
 
+  // Of the instruction before, what its neighbour's time depends on.
+  struct Previous {
+    Kind kind = Kind::alu;
+    std::uint8_t size = 2;
+    bool write_back = false, writes_pc = false;
+    std::uint16_t writes = 0;
+    std::uint32_t data_address = 0;
+    unsigned cycles = 1;
+  };
+
   const Rules& rules_;
   bool is_m3_;
-  Instruction previous_{};
-  std::uint32_t previous_data_ = 0;
-  unsigned previous_cycles_ = 1;
+  Previous previous_;
   unsigned fetched_ = 0;  // halfwords in the prefetch buffer, of code in SRAM
 };
 

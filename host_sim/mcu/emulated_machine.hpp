@@ -36,6 +36,7 @@ class Machine final : private RegisterAccess {
   StartState reset();
   const DecodedCode::Entry& decoded(std::uint32_t address);
   void on_code(std::uint32_t address);
+  void look_at(const Instruction& insn);
   void on_access(bool write, std::uint32_t address, std::uint32_t size);
   void on_interrupt(std::uint32_t number);
   std::uint32_t read_register(std::uint32_t address, unsigned size) override;

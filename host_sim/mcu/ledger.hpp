@@ -17,29 +17,33 @@ class Ledger {
   explicit Ledger(std::size_t functions) : functions_(functions + 1), at_begin_(functions + 1) {}
 
   void charge(const DecodedCode::Entry& entry, const Count& count) {
-    if (watching_) watch(entry, count);
+    if (entry.function != run_.function || calls_.node() != run_.node) begin_run(entry.function);
     total_ += count;
-    functions_[entry.function] += count;
-    stages_[static_cast<std::size_t>(calls_.stage())] += count;
-    calls_.charge(count);
+    run_.count += count;
   }
 
   // A register is asked: with this instruction a turn of a loop that waits may begin.
-  void asked() { watching_ = true; }
+  void asked() {
+    close_run();
+    if (!watching_) watched_from_ = total_.instructions;
+    watching_ = true;
+  }
   // No such turn has begun before this.
   void forget_recent() {
-    watching_ = false;
-    recent_.clear();
+    if (watching_) forget();
   }
-  // What was charged since `begin` was a turn of a loop that waits.
+  // What was charged since `begin`, when a register was asked, was a turn of a loop that waits.
   void charge_waiting(std::uint64_t begin);
 
   const Count& total() const { return total_; }
-  const StageCounts& stages() const { return stages_; }
+  StageCounts stages() const;
   CallTree& calls() { return calls_; }
+  // From here on, as far as charged, the call tree's counts and all_functions() are complete.
+  void settle() { close_run(); }
 
   // What is counted from here to the next end() is a passage.
   void begin() {
+    close_run();
     begin_ = total_;
     at_begin_ = functions_;
     if (passages_.empty()) calls_.clear_counts();
@@ -52,20 +56,32 @@ class Ledger {
   const std::vector<Count>& all_functions() const { return functions_; }
 
  private:
-  struct Charge {
-    std::uint64_t when, time;
-    std::uint32_t function, node;
-    Stage stage;
+  // Charges in a row to the same function and node of the call tree; nobody asks a register within it.
+  struct Run {
+    std::uint64_t when = 0;
+    std::uint32_t function = 0, node = 0;
+    Stage stage = Stage::other;
+    Count count;
   };
-  static constexpr std::size_t kLongestLoop = 1024;  // instructions of a turn
+  static constexpr std::uint64_t kLongestLoop = 1024;  // instructions of a turn
 
-  void watch(const DecodedCode::Entry& entry, const Count& count) {
-    recent_.push_back({total_.time(), count.time(), entry.function, calls_.node(), calls_.stage()});
-    if (recent_.size() == kLongestLoop) forget_recent();
+  void close_run();
+  void begin_run(std::uint32_t function) {
+    close_run();
+    run_.function = function;
+    run_.node = calls_.node();
+    run_.stage = calls_.stage();
+  }
+  void forget() {
+    close_run();
+    watching_ = false;
+    recent_.clear();
   }
 
+  Run run_;
   bool watching_ = false;
-  std::vector<Charge> recent_;
+  std::uint64_t watched_from_ = 0;  // instructions before `recent_`
+  std::vector<Run> recent_;
   Count total_, begin_;
   StageCounts stages_{};
   std::vector<Count> functions_, at_begin_, counted_;

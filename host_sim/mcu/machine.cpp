@@ -30,7 +30,7 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
       fixed_clock_(board.kilohertz),
       clock_(chip_ ? chip_->clock() : fixed_clock_),
       debug_(image.path()),
-      code_(image, debug_, board.core),
+      code_(image, debug_, board.core, marks_),
       pools_(image, debug_),
       ledger_(image.functions().size()),
       counting_(options.from.empty()) {
@@ -130,33 +130,38 @@ void Machine::enter_marks(std::uint32_t address) {
 void Machine::on_code(std::uint32_t address) {
   if (ended_) return;
   const DecodedCode::Entry& here = decoded(address);
-  const Instruction& insn = here.insn;
   const std::uint32_t before = current_address_;
-  settle(address, insn.size);
+  settle(address, here.insn.size);
   if (sp_changed_) watch_stack(before);
-  if (now() >= next_event_ && serve_events(address)) return;
+  const std::uint64_t time = now();
+  if (time >= next_event_ && serve_events(address)) return;
   current_address_ = address;
-  enter_marks(address);
+  if (here.marked || address == line_made_) enter_marks(address);
   if (ended_) return;
   ledger_.calls().at(here.place, code_.places());
   current_ = &here;
-  sp_changed_ = insn.writes_sp();
+  sp_changed_ = here.insn.writes_sp();
   how_ = Execution{};
-  stall_ = timing_.fetch(address, now());
+  stall_ = timing_.fetch(address, time);
+  if (ledger_.total().instructions >= options_.limit) {
+    return fail("has not stopped after " + std::to_string(options_.limit) + " instructions");
+  }
+  if (here.special) look_at(here.insn);
+}
+
+// What more there is to an instruction than its time.
+void Machine::look_at(const Instruction& insn) {
   if (!insn.supported) return fail(std::string("executes an instruction that a ") + name(board_.core) + " lacks");
   if (insn.kind >= Kind::long_multiply && insn.kind <= Kind::divide_signed && model_) {
     how_.a = core_.reg(insn.a);
     how_.b = core_.reg(insn.b);
   }
   if (insn.kind == Kind::if_then) {
-    block_end_ = address + insn.size;
+    block_end_ = current_address_ + insn.size;
     for (unsigned i = 0; i < insn.block; ++i) block_end_ += decoded(block_end_).insn.size;
   }
-  if (insn.kind == Kind::branch && insn.direct && insn.target == address) return end("spins at " + place(address));
-  if (insn.waits) return end("waits for an interrupt at " + place(address));
-  if (ledger_.total().instructions >= options_.limit) {
-    fail("has not stopped after " + std::to_string(options_.limit) + " instructions");
-  }
+  if (insn.kind == Kind::branch) end("spins at " + place(current_address_));
+  if (insn.waits) end("waits for an interrupt at " + place(current_address_));
 }
 
 void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
@@ -227,6 +232,7 @@ StartState Machine::reset() {
 }
 
 void Machine::fill_report(const StartState& start) {
+  ledger_.settle();
   report_.timed = model_.has_value();
   report_.passages = ledger_.passages();
   report_.functions = ledger_.functions();

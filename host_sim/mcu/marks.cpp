@@ -1,5 +1,7 @@
 #include "mcu/marks.hpp"
 
+#include "mcu/machine.hpp"
+
 namespace spanline::host {
 
 Marks find_marks(const Image& image, const RunOptions& options) {

@@ -4,9 +4,10 @@
 #include <cstdint>
 
 #include "mcu/image.hpp"
-#include "mcu/machine.hpp"
 
 namespace spanline::host {
+
+struct RunOptions;
 
 // Where the image or the options name no such place, kNowhere.
 struct Marks {
@@ -15,6 +16,11 @@ struct Marks {
   std::uint32_t main = kNowhere;
   std::uint32_t frame_begin = kNowhere, frame_end = kNowhere;
   std::uint32_t next_line = kNowhere;  // Frame::next_line()
+
+  bool any(std::uint32_t address) const {
+    return address == from || address == until || address == main || address == frame_begin || address == frame_end ||
+           address == next_line;
+  }
 };
 
 // Throws InputError where the options name a symbol that the image lacks.

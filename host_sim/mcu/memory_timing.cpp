@@ -1,18 +1,18 @@
 #include "mcu/memory_timing.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace spanline::host {
 
+// The line goes first; those before its place, or all where it is new, make room.
 bool CacheTags::take(std::uint32_t line) {
   std::uint32_t* const first = &tags_[std::size_t{line % sets_} * ways_];
-  std::uint32_t* const last = first + ways_;
-  if (*first == line) return true;
-  std::uint32_t* found = std::find(first, last, line);
-  const bool hit = found != last;
-  if (!hit) *(found = last - 1) = line;
-  std::rotate(first, found, found + 1);
-  return hit;
+  std::uint32_t moved = line;
+  for (unsigned way = 0; way < ways_; ++way) {
+    std::swap(moved, first[way]);
+    if (moved == line) return true;
+  }
+  return false;
 }
 
 MemoryTiming::MemoryTiming(const Flash& flash)
