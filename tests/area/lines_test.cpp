@@ -86,23 +86,42 @@ void add_parts(Parts& parts, const std::vector<GridPoint>& corners, GridPoint a,
   ++parts[{last, high}];
 }
 
+// The contours of pieces, each under the look that `look_of` gives its piece.
+template <typename LookOf>
+std::vector<Ring> rings_under(const VisiblePieces& pieces, LookOf look_of) {
+  std::vector<Ring> rings;
+  for (const VisiblePiece& piece : pieces) {
+    for (const AreaRing& ring : piece.rings) {
+      Ring& made = rings.emplace_back(Ring{look_of(piece), {}});
+      for (const AreaPoint& p : ring) {
+        made.points.push_back({static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y)});
+      }
+    }
+  }
+  return rings;
+}
+
+void add_corners(std::vector<GridPoint>& corners, const std::vector<Ring>& rings) {
+  for (const Ring& ring : rings) corners.insert(corners.end(), ring.points.begin(), ring.points.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+}
+
+Parts drawn_parts(const std::vector<Ring>& rings, const std::vector<GridPoint>& corners) {
+  Collect collect;
+  EXPECT_TRUE(draw(rings, 60000, collect).ok());
+  Parts drawn;
+  for (const DrawnLine& line : collect.lines) add_parts(drawn, corners, line.from, line.to);
+  return drawn;
+}
+
 TEST(LineDrawing, EveryBorderOfRandomScenesIsDrawnOnce) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Sorted sorted = sort(oracle::random_sort_scene(seed));
     ASSERT_TRUE(sorted.status.ok());
-    std::vector<Ring> rings;
+    const std::vector<Ring> rings = rings_under(sorted.pieces, [](const VisiblePiece& piece) { return piece.source; });
     std::vector<GridPoint> corners;
-    for (const VisiblePiece& piece : sorted.pieces) {
-      for (const AreaRing& ring : piece.rings) {
-        Ring& made = rings.emplace_back(Ring{piece.source, {}});
-        for (const AreaPoint& p : ring) {
-          made.points.push_back({static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y)});
-        }
-        corners.insert(corners.end(), made.points.begin(), made.points.end());
-      }
-    }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    add_corners(corners, rings);
     // Of each part of an edge, whose it is: drawn unless two pieces of one polygon share it.
     std::map<std::uint16_t, Parts> of_look;
     for (const Ring& ring : rings) {
@@ -110,16 +129,46 @@ TEST(LineDrawing, EveryBorderOfRandomScenesIsDrawnOnce) {
         add_parts(of_look[ring.look], corners, ring.points[i], ring.points[(i + 1) % ring.points.size()]);
       }
     }
-    Parts expected, drawn;
+    Parts expected;
     for (const auto& [look, parts] : of_look) {
       for (const auto& [ends, times] : parts) {
         if (times == 1) expected[ends] = 1;
       }
     }
-    Collect collect;
-    ASSERT_TRUE(draw(rings, 60000, collect).ok());
-    for (const DrawnLine& line : collect.lines) add_parts(drawn, corners, line.from, line.to);
-    ASSERT_EQ(drawn, expected) << seed;
+    ASSERT_EQ(drawn_parts(rings, corners), expected) << seed;
+  }
+}
+
+// Every third polygon is see-through. Pieces that overlap and name nobody have the same lines as those that tile the
+// picture and name what they are seen through.
+TEST(LineDrawing, WhatIsSeenThroughPanesHasItsLinesAndSoHaveThey) {
+  const auto storage = std::make_unique<SortStorage<2000, 30000, 8000, 1>>();
+  AreaSort unnamed(storage->refs(), Panes::unnamed);
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const oracle::SortScene scene = oracle::random_sort_scene(seed);
+    std::vector<std::uint16_t> panes;
+    unnamed.clear();
+    for (const oracle::SortPolygon& polygon : scene) {
+      const bool pane = polygon.source % 3 == 0;
+      if (pane) panes.push_back(polygon.source);
+      put(unnamed, polygon, pane ? Opacity::translucent : Opacity::opaque);
+    }
+    ASSERT_TRUE(unnamed.solve().ok()) << unnamed.status().where;
+    const Sorted named = sort(scene, panes);
+    ASSERT_TRUE(named.status.ok());
+    std::map<std::pair<std::uint16_t, std::vector<std::uint16_t>>, std::uint16_t> looks;
+    const std::vector<Ring> tiles = rings_under(named.pieces, [&](const VisiblePiece& piece) {
+      std::vector<std::uint16_t> films = piece.films;
+      std::sort(films.begin(), films.end());
+      const auto number = static_cast<std::uint16_t>(looks.size());
+      return looks.try_emplace({piece.source, films}, number).first->second;
+    });
+    const std::vector<Ring> overlapping =
+        rings_under(read(unnamed), [](const VisiblePiece& piece) { return piece.source; });
+    std::vector<GridPoint> corners;
+    add_corners(corners, tiles);
+    add_corners(corners, overlapping);
+    ASSERT_EQ(drawn_parts(overlapping, corners), drawn_parts(tiles, corners)) << seed;
   }
 }
 

@@ -217,6 +217,9 @@ TEST(AreaSort, ASmallPoolIsNamedAndNothingIsLeftBehind) {
       put(sort, polygon, polygon.source % 2 == 0 ? Opacity::translucent : Opacity::opaque);
     const Status status = sort.solve();
     EXPECT_EQ(status.code, Code::pool_exhausted);
+    EXPECT_STREQ(status.field, "polygon");
+    EXPECT_TRUE(std::any_of(scene.begin(), scene.end(), [&](const SortPolygon& p) { return p.source == status.index; }))
+        << status.where << " names " << status.index;
     EXPECT_EQ(status.needed, status.limit + 1) << status.where;
     EXPECT_TRUE(read(sort).empty());
     named.emplace_back(status.where);

@@ -135,6 +135,8 @@ TEST(Demos, APlotWithoutRoomSaysWhatItLacksAndHasNoLines) {
     ASSERT_FALSE(frame.prepare(stage.view(), stage.camera(), {0, kSmall.height}).empty());
     EXPECT_EQ(frame.status().code, Code::pool_exhausted) << lack.pool;
     EXPECT_STREQ(frame.status().where, lack.pool);
+    EXPECT_STREQ(frame.status().field, "polygon");
+    EXPECT_LT(frame.status().index, stage.view().face_count()) << lack.pool;
     alignas(4) std::uint8_t line[kSmall.width / 2];
     while (frame.next_line(line)) {
       for (const std::uint8_t pixels : line) ASSERT_EQ(pixels, 0xff) << lack.pool << ": paper";

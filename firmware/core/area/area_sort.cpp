@@ -18,7 +18,7 @@ Status AreaSort::solve() {
   sort_by_source();
   pools_.frames[1] = {};
   depth_ = 1;
-  if (translucent_ && status_.ok()) add_backdrop();
+  if (translucent_ && panes_ != Panes::unnamed && status_.ok()) add_backdrop();
   if (!status_.ok() || !pierce_all() || !settle() || !make_pieces() || !run()) visible_ = {};
   counts_.borders = borders_.most();
   counts_.pieces = pieces_.ever_used();
@@ -121,7 +121,7 @@ bool AreaSort::keep_inside(std::uint16_t index) {
   Piece& piece = pieces_[index];
   const bool own = piece.name == frame.clip;
   if (!own) ++counts_.depth_tests;
-  if (own ? clip.opacity == Opacity::opaque || panes_ == Panes::shown : nearer(piece, frame.clip)) {
+  if (own ? clip.opacity == Opacity::opaque || panes_ != Panes::named : nearer(piece, frame.clip)) {
     if (!own && polygon_of(piece).on_stack) ++counts_.cyclic;
     append(frame.inside, index);
     return true;
@@ -130,10 +130,12 @@ bool AreaSort::keep_inside(std::uint16_t index) {
     release(index);
     return true;
   }
-  const std::uint16_t film = films_.take();
-  if (film == 0) return exhausted("films", films_.capacity(), clip.source);
-  films_[film] = {frame.clip, piece.films};
-  piece.films = film;
+  if (panes_ != Panes::unnamed) {
+    const std::uint16_t film = films_.take();
+    if (film == 0) return exhausted("films", films_.capacity(), clip.source);
+    films_[film] = {frame.clip, piece.films};
+    piece.films = film;
+  }
   append(frame.inside, index);
   return true;
 }

@@ -29,8 +29,9 @@ inline constexpr std::uint16_t kBackdropGroup = 0xffff;
 enum class Opacity : std::uint8_t { opaque, translucent };
 
 // What becomes of translucent polygons: they are named by what lies behind them; or they are pieces, too, which what
-// lies behind them overlaps, and name what translucent polygons lie before them.
-enum class Panes : std::uint8_t { named, shown };
+// lies behind them overlaps, and name what translucent polygons lie before them; or they are such pieces, and nothing
+// names them, which takes no films.
+enum class Panes : std::uint8_t { named, shown, unnamed };
 
 // A polygon under its name (its index), whose border is the original copy that others are clipped to.
 struct NamedPolygon {
@@ -129,7 +130,7 @@ class AreaSort {
   // larger is nearer. The order of the polygons changes nothing in the result.
   void begin_polygon(std::uint16_t source, Opacity opacity = Opacity::opaque);
   // The same in a plane that is known; the depths of its vertices are not looked at.
-  void begin_polygon(std::uint16_t source, const Plane& plane);
+  void begin_polygon(std::uint16_t source, const Plane& plane, Opacity opacity = Opacity::opaque);
   void begin_contour() { corners_ = 0; }
   void vertex(std::int32_t x, std::int32_t y, std::int32_t depth);
   void end_contour();
@@ -152,7 +153,8 @@ class AreaSort {
   void end_backdrop();
 
   // Sorts. Not ok: bad_argument (field "x", "y" or "depth") or pool_exhausted (where: the pool; index: the source of
-  // the polygon that asked for more; limit: its capacity), and then there are no pieces.
+  // the polygon that asked for more, or of one of those that need the background where that did; limit: its capacity),
+  // and then there are no pieces.
   Status solve();
 
   const Status& status() const { return status_; }
@@ -183,6 +185,7 @@ class AreaSort {
   void share_meetings(std::uint16_t name, const Line& line);
   void dissolve(std::uint16_t group);
   bool settle();
+  std::uint16_t owner_of(const Segment& segment) const;
   void order_by_depth();
   void find_details();
   bool make_pieces();

@@ -41,6 +41,7 @@ void AreaSort::refuse(const char* field, std::int32_t value, std::int32_t limit)
 }
 
 bool AreaSort::exhausted(const char* pool, std::uint16_t capacity, std::uint16_t source) {
+  for (std::uint16_t i = polygons_; source == kBackdrop && i != 0; --i) source = pools_.polygons[i].source;
   if (status_.ok()) status_ = {Code::pool_exhausted, pool, "polygon", source, 0, capacity + 1u, capacity};
   return false;
 }
@@ -64,8 +65,8 @@ void AreaSort::begin_detail(std::uint16_t source) {
   detail_ = true;
 }
 
-void AreaSort::begin_polygon(std::uint16_t source, const Plane& plane) {
-  begin_polygon(source);
+void AreaSort::begin_polygon(std::uint16_t source, const Plane& plane, Opacity opacity) {
+  begin_polygon(source, opacity);
   given_plane_ = plane;
   plane_given_ = true;
 }
@@ -205,7 +206,10 @@ bool AreaSort::settle() {
     if (!fits) return exhausted("segments", arrangement.full().capacity, polygon.source);
   }
   arrangement.merge_segments();
-  if (!arrangement.intersect()) return exhausted(arrangement.full().pool, arrangement.full().capacity, kBackdrop);
+  if (!arrangement.intersect()) {
+    const Arrangement::Full& full = arrangement.full();
+    return exhausted(full.pool, full.capacity, owner_of(full.segment));
+  }
   for (std::uint16_t name = 1; name <= polygons_; ++name) {
     NamedPolygon& polygon = pools_.polygons[name];
     Border led;
@@ -223,6 +227,18 @@ bool AreaSort::settle() {
     if (!borders_fit(polygon.source)) return false;
   }
   return true;
+}
+
+// The source of the first polygon that the segment borders.
+std::uint16_t AreaSort::owner_of(const Segment& segment) const {
+  for (std::uint16_t name = 1; name <= polygons_; ++name) {
+    bool found = false;
+    borders_.each(pools_.polygons[name].border, [&](const BorderEdge& edge) {
+      found |= edge.from == segment.low ? edge.to == segment.high : edge.from == segment.high && edge.to == segment.low;
+    });
+    if (found) return pools_.polygons[name].source;
+  }
+  return kBackdrop;
 }
 
 // Makes proper contours of a polygon's border, and its pieces, which are several where it has folded or touches itself.

@@ -27,23 +27,24 @@ void Arrangement::clear() {
   full_ = {};
 }
 
-bool Arrangement::fail(const char* pool, Role role, std::uint16_t capacity) {
-  full_ = {pool, role, capacity};
+bool Arrangement::fail(const char* pool, const Segment& of, std::uint16_t capacity) {
+  full_ = {pool, of, capacity};
   return false;
 }
 
 bool Arrangement::add_segment(GridPoint low, GridPoint high, Role role) {
   CHECK(low < high);
-  if (segments_ == pools_.segments.capacity()) return fail("segments", role, segments_);
-  pools_.segments[++segments_] = {low, high, role, Segment::State::exact};
+  const Segment segment{low, high, role, Segment::State::exact};
+  if (segments_ == pools_.segments.capacity()) return fail("segments", segment, segments_);
+  pools_.segments[++segments_] = segment;
   return true;
 }
 
-bool Arrangement::add_node(GridPoint at, bool active, Role role) {
+bool Arrangement::add_node(GridPoint at, bool active, const Segment& of) {
   if (nodes_ == pools_.nodes.capacity()) {
     // Many intersections may share a grid point.
     merge_nodes();
-    if (nodes_ == pools_.nodes.capacity()) return fail("nodes", role, nodes_);
+    if (nodes_ == pools_.nodes.capacity()) return fail("nodes", of, nodes_);
   }
   pools_.nodes[++nodes_] = {at, 0, active ? kActive : kPassive};
   return true;
@@ -72,7 +73,7 @@ bool Arrangement::cross(std::uint16_t one, std::uint16_t other) {
     a.state = b.state = Segment::State::moved;
     if (rounded_ < UINT16_MAX) ++rounded_;
   }
-  return add_node(found.at, found.rounded, a.role);
+  return add_node(found.at, found.rounded, a);
 }
 
 void Arrangement::sort_segments() {
@@ -112,7 +113,7 @@ bool Arrangement::intersect() {
   sort_segments();
   for (std::uint16_t i = 1; i <= segments_; ++i) {
     const Segment& segment = pools_.segments[i];
-    if (!add_node(segment.low, false, segment.role) || !add_node(segment.high, false, segment.role)) return false;
+    if (!add_node(segment.low, false, segment) || !add_node(segment.high, false, segment)) return false;
   }
   merge_nodes();
   const std::uint16_t corners = nodes_;
@@ -192,7 +193,7 @@ bool Arrangement::cut() {
     const bool done = along(segment, false, [&](std::uint16_t node) {
       const std::uint16_t from = last;
       last = node;
-      return from == 0 || add_edge(from, node, segment.role);
+      return from == 0 || add_edge(from, node, segment);
     });
     if (!done) return false;
   }
@@ -200,18 +201,18 @@ bool Arrangement::cut() {
 }
 
 // Where the edge exists already its borders are added modulo 2, which is the even-odd rule.
-bool Arrangement::add_edge(std::uint16_t from, std::uint16_t to, Role role) {
+bool Arrangement::add_edge(std::uint16_t from, std::uint16_t to, const Segment& of) {
   if (from > to) std::swap(from, to);
   Node& least = pools_.nodes[from];
   for (std::uint16_t i = least.first; i != 0; i = pools_.edges[i].link[0]) {
     Edge& edge = pools_.edges[i];
     if (edge.end[1] != to) continue;
-    edge.borders ^= cover_of(role);
+    edge.borders ^= cover_of(of.role);
     return true;
   }
   const std::uint16_t capacity = pools_.edges.capacity() < kMaxEdges ? pools_.edges.capacity() : kMaxEdges;
-  if (edges_ == capacity) return fail("edges", role, capacity);
-  pools_.edges[++edges_] = {{from, to}, {least.first, 0}, cover_of(role), 0};
+  if (edges_ == capacity) return fail("edges", of, capacity);
+  pools_.edges[++edges_] = {{from, to}, {least.first, 0}, cover_of(of.role), 0};
   least.first = edges_;
   return true;
 }

@@ -44,7 +44,7 @@ class Arrangement {
 
   struct Full {
     const char* pool = "";
-    Role role = Role::subject;  // the polygon that asked for more
+    Segment segment{};  // what asked for more
     std::uint16_t capacity = 0;
   };
   const Full& full() const { return full_; }
@@ -56,7 +56,7 @@ class Arrangement {
   std::uint16_t moved() const;                        // segments led through hot pixels
 
  private:
-  bool add_node(GridPoint at, bool active, Role role);
+  bool add_node(GridPoint at, bool active, const Segment& of);
   void sort_segments();
   void merge_nodes();
   bool cross(std::uint16_t one, std::uint16_t other);
@@ -67,9 +67,9 @@ class Arrangement {
   bool meets(const Segment& segment, const Node& node) const;
   template <typename Visit>
   bool along(const Segment& segment, bool backwards, Visit visit) const;
-  bool add_edge(std::uint16_t from, std::uint16_t to, Role role);
+  bool add_edge(std::uint16_t from, std::uint16_t to, const Segment& of);
   void insert_half_edge(HalfEdge h);
-  bool fail(const char* pool, Role role, std::uint16_t capacity);
+  bool fail(const char* pool, const Segment& of, std::uint16_t capacity);
 
   Pools pools_;
   Full full_;

@@ -30,7 +30,8 @@ class BoxSort {
       : sort_(sort), pools_(pools), borders_(pools.borders), most_(most) {}
 
   // Boxes from back to front, each to `sink` as AreaSort::read() does, after begin_box(). What comes later covers what
-  // came before. Fails with the status of the box that does not fit, after those behind it; or pool "depths".
+  // came before. Fails with the status of the box that does not fit, after those behind it; or pool "depths" (index:
+  // the polygon's number in the scene).
   template <typename Sink>
   Status overlay(const Scene& scene, const Box& window, Sink& sink);
 
@@ -46,10 +47,13 @@ class BoxSort {
   struct Keeper {
     BoxSort& boxes;
     GridPoint start, last;
+    std::uint16_t asked = 0;  // the polygon of the last piece that was kept, or for which there was no room
     bool open = false, fits = true;
 
     void begin_piece(std::uint16_t source, const Plane& plane) {
-      fits = fits && boxes.solved_ < boxes.pools_.solution.capacity();
+      if (!fits || boxes.borders_.full()) return;
+      asked = source;
+      fits = boxes.solved_ < boxes.pools_.solution.capacity();
       if (fits) boxes.pools_.solution[++boxes.solved_] = {{}, plane, source};
     }
     void film(std::uint16_t) {}
@@ -89,7 +93,7 @@ bool BoxSort<Scene>::find_boxes(const Scene& scene) {
   count_ = solved_ = 0;
   for (std::uint32_t i = 0; i < scene.count(); ++i) {
     if (count_ == pools_.depths.capacity()) {
-      status_ = {Code::pool_exhausted, "depths", "", 0, 0, count_ + 1u, count_};
+      status_ = {Code::pool_exhausted, "depths", "polygon", i, 0, count_ + 1u, count_};
       return false;
     }
     pools_.depths[++count_] = scene.nearest(static_cast<std::uint16_t>(i));
@@ -171,9 +175,11 @@ Status BoxSort<Scene>::keep() {
   solved_ = 0;
   Keeper keeper{*this, {}, {}};
   sort_.read(keeper);
-  if (!keeper.fits) return {Code::pool_exhausted, "solution", "", 0, 0, solved_ + 1u, solved_};
-  if (borders_.full())
-    return {Code::pool_exhausted, "borders", "", 0, 0, borders_.capacity() + 1u, borders_.capacity()};
+  const auto full = [&](const char* pool, std::uint16_t capacity) {
+    return Status{Code::pool_exhausted, pool, "polygon", keeper.asked, 0, capacity + 1u, capacity};
+  };
+  if (!keeper.fits) return full("solution", solved_);
+  if (borders_.full()) return full("borders", borders_.capacity());
   return {};
 }
 

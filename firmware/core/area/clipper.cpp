@@ -105,7 +105,7 @@ Status Clipper::solve(CoverSet inside, CoverSet outside) {
   if (!status_.ok()) return status_;
   if (!arrangement_.intersect() || !arrangement_.cut()) {
     const Arrangement::Full& full = arrangement_.full();
-    exhausted(full.pool, full.role, full.capacity);
+    exhausted(full.pool, full.segment.role, full.capacity);
     return status_;
   }
   arrangement_.spin();

@@ -25,9 +25,9 @@ bool same_ends(const DrawnEdge& a, const DrawnEdge& b) { return a.low == b.low &
 }  // namespace
 
 bool LineDrawing::add(const DrawnEdge& edge) {
-  full_ = full_ || count_ == edges_.capacity();
-  if (!full_) edges_[++count_] = edge;
-  return !full_;
+  if (count_ == edges_.capacity() && asked_ == 0) asked_ = edge.look;
+  if (asked_ == 0) edges_[++count_] = edge;
+  return asked_ == 0;
 }
 
 void LineDrawing::edge(GridPoint from, GridPoint to, std::uint16_t look) {
@@ -35,8 +35,11 @@ void LineDrawing::edge(GridPoint from, GridPoint to, std::uint16_t look) {
   const auto number = static_cast<std::uint16_t>(look + 1);
   if (!add(from < to ? DrawnEdge{from, to, number} : DrawnEdge{to, from, number})) return;
   // Of a closed border each corner is where one edge begins.
-  full_ = corners_ == points_.capacity();
-  if (!full_) points_[++corners_] = from;
+  if (corners_ == points_.capacity()) {
+    asked_ = number;
+  } else {
+    points_[++corners_] = from;
+  }
 }
 
 void LineDrawing::sort_edges() {
@@ -72,15 +75,19 @@ void LineDrawing::cut_at_corners() {
   }
 }
 
-// Of each run of edges with the same ends one is kept, or none where both sides look alike.
+// Of each run of edges with the same ends one is kept where it bounds somebody: who has it twice lies on both sides.
 void LineDrawing::keep_borders() {
   std::uint16_t kept = 0;
   for (std::uint32_t i = 1; i <= count_;) {
-    std::uint32_t end = i + 1;
-    bool differ = false;
-    for (; end <= count_ && same_ends(edges_[i], edges_[end]); ++end) differ |= edges_[end].look != edges_[i].look;
-    if (differ || end == i + 1) edges_[++kept] = edges_[i];
-    i = end;
+    const DrawnEdge edge = edges_[i];
+    bool bounds = false;
+    while (i <= count_ && same_ends(edge, edges_[i])) {
+      const std::uint16_t look = edges_[i].look;
+      const std::uint32_t first = i;
+      while (i <= count_ && same_ends(edge, edges_[i]) && edges_[i].look == look) ++i;
+      bounds |= (i - first) % 2 != 0;
+    }
+    if (bounds) edges_[++kept] = edge;
   }
   count_ = kept;
 }
@@ -108,9 +115,9 @@ void LineDrawing::join() {
 Status LineDrawing::solve() {
   sort_points();
   cut_at_corners();
-  if (full_) {
+  if (asked_ != 0) {
     count_ = 0;
-    return {Code::pool_exhausted, "lines", "", 0, 0, edges_.capacity() + 1u, edges_.capacity()};
+    return {Code::pool_exhausted, "lines", "polygon", asked_ - 1u, 0, edges_.capacity() + 1u, edges_.capacity()};
   }
   sort_edges();
   keep_borders();

@@ -1,5 +1,6 @@
 // Hidden lines removed (seed 2): the borders between visible pieces, each once, as a plotter draws them. Every edge of
 // a piece is put in; where two pieces of one polygon meet, which a window or another polygon has cut, there is no line.
+// Pieces of see-through polygons may lie over others.
 #pragma once
 
 #include "core/area/predicates.hpp"
@@ -20,16 +21,13 @@ class LineDrawing {
   // `points` holds as many as `edges`: the corners of all pieces.
   LineDrawing(PoolRef<DrawnEdge> edges, PoolRef<GridPoint> points) : edges_(edges), points_(points) {}
 
-  void clear() {
-    count_ = corners_ = 0;
-    full_ = false;
-  }
+  void clear() { count_ = corners_ = asked_ = 0; }
 
   // An edge of a closed border; ends that coincide are no edge. Between pieces of one `look` (0 … 65534) no line is.
   void edge(GridPoint from, GridPoint to, std::uint16_t look);
 
-  // Finds the lines. pool_exhausted ("lines"; limit: the pool's capacity) where not all edges found room: then there
-  // are none.
+  // Finds the lines. pool_exhausted ("lines"; index: the look of the edge that asked for more; limit: the pool's
+  // capacity) where not all edges found room: then there are none.
   Status solve();
 
   // sink.line(from, to): straight runs are one line each.
@@ -51,7 +49,7 @@ class LineDrawing {
   PoolRef<DrawnEdge> edges_;
   PoolRef<GridPoint> points_;
   std::uint16_t count_ = 0, corners_ = 0;
-  bool full_ = false;
+  std::uint16_t asked_ = 0;  // DrawnEdge::look of the first edge without room
 };
 
 }  // namespace spanline::area

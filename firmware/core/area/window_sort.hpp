@@ -23,8 +23,8 @@ class WindowSort {
       : sort_(sort), names_(names), most_(most != 0 ? most : UINT32_MAX) {}
 
   // Hands the visible pieces of each window to `sink` as AreaSort::read() does, when the window is finished. Fails with
-  // the status of the window that does not fit even when it is kLeastSide wide, or pool "names"; all windows handed out
-  // before are complete, and nothing of that one or later ones is.
+  // the status of the window that does not fit even when it is kLeastSide wide, or pool "names" (index: the polygon's
+  // number in the scene); all windows handed out before are complete, and nothing of that one or later ones is.
   template <typename Sink>
   Status solve(const Scene& scene, const Box& screen, Sink& sink);
 
@@ -47,8 +47,8 @@ class WindowSort {
   Status sort(const Scene& scene, const Window& window);
   static bool divisible(const Box& box);
   static Box quarter_of(const Box& box, unsigned quarter);
-  bool full() {
-    status_ = {Code::pool_exhausted, "names", "", 0, 0, names_.capacity() + 1u, names_.capacity()};
+  bool full(std::uint32_t polygon) {
+    status_ = {Code::pool_exhausted, "names", "polygon", polygon, 0, names_.capacity() + 1u, names_.capacity()};
     return false;
   }
 
@@ -98,7 +98,7 @@ bool WindowSort<Scene>::fill_all(const Scene& scene, Window& window) {
   for (std::uint32_t i = 0; i < scene.count(); ++i) {
     ++counts_.window_tests;
     if (!scene.bounds(static_cast<std::uint16_t>(i)).overlaps(window.box)) continue;
-    if (window.end == names_.capacity()) return full();
+    if (window.end == names_.capacity()) return full(i);
     names_[++window.end] = static_cast<std::uint16_t>(i);
   }
   return true;
@@ -109,7 +109,7 @@ bool WindowSort<Scene>::fill(const Scene& scene, const Window& around, Window& w
   for (std::uint32_t i = around.first + 1; i <= around.end; ++i) {
     ++counts_.window_tests;
     if (!scene.bounds(names_[i]).overlaps(window.box)) continue;
-    if (window.end == names_.capacity()) return full();
+    if (window.end == names_.capacity()) return full(names_[i]);
     names_[++window.end] = names_[i];
   }
   return true;

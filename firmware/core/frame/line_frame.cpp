@@ -8,6 +8,7 @@ namespace spanline {
 struct LineFrame::Faces {
   FacetReader& reader;
   PoolRef<area::Box> boxes;
+  Slice<const MaterialRecord> materials;
   std::uint16_t faces = 0;
 
   std::uint32_t count() const { return faces; }
@@ -15,7 +16,8 @@ struct LineFrame::Faces {
 
   void put(std::uint16_t face, area::AreaSort& sort) const {
     reader.select(face);
-    sort.begin_polygon(face);
+    const bool clear = materials[reader.face().material].transmission != Rgb8{};
+    sort.begin_polygon(face, clear ? area::Opacity::translucent : area::Opacity::opaque);
     put_rings(sort);
     const auto& parents = reader.mesh().parents;
     const std::uint32_t first = reader.last_face() + 1u - parents.size(), own = reader.face().mesh_face;
@@ -126,18 +128,22 @@ struct LineFrame::Pen {
 };
 
 LineFrame::LineFrame(const LineStorage& storage)
-    : storage_(storage), sort_(storage.sort), drawing_(storage.edges, storage.corners), painter_(storage.screen) {}
+    : storage_(storage),
+      sort_(storage.sort, area::Panes::unnamed),
+      drawing_(storage.edges, storage.corners),
+      painter_(storage.screen) {}
 
 Status LineFrame::find_lines(const SceneView& scene, const CameraRecord& camera) {
   drawing_.clear();
   if (const Status status = check_camera(camera); !status.ok()) return status;
   const std::uint32_t total = scene.face_count();
   if (total > storage_.bounds.capacity()) {
-    return {Code::pool_exhausted, "facets", "", 0, 0, total, storage_.bounds.capacity()};
+    const std::uint16_t capacity = storage_.bounds.capacity();
+    return {Code::pool_exhausted, "facets", "polygon", capacity, 0, total, capacity};
   }
   FacetReader reader(scene, camera, storage_.screen, storage_.vertices);
   reader.fill_cache();
-  Faces faces{reader, storage_.bounds};
+  Faces faces{reader, storage_.bounds, scene.scene().materials};
   faces.find_bounds(total);
   const auto unit = [](std::uint16_t px) { return static_cast<std::int16_t>(px * kSubpixels); };
   const area::Box whole{{0, 0}, {unit(storage_.screen.width), unit(storage_.screen.height)}};

@@ -1,6 +1,6 @@
 // A frame of lines: a scene's visible edges, each once, as a plotter or an electronic paper shows them. Hidden surfaces
 // go by the area sort (seed 2) on the board itself; the lines, one pixel wide, lie in a picture of one bit a pixel
-// until they are sent. Faces are plane; detail is drawn, and see-through faces hide like others.
+// until they are sent. Faces are plane; detail is drawn; see-through faces and their detail hide nothing.
 #pragma once
 
 #include "core/area/line_drawing.hpp"
@@ -35,7 +35,8 @@ class LineFrame {
   LineFrame& operator=(const LineFrame&) = delete;
 
   // The whole picture is drawn when its first line is asked for. The picture lacks what the status tells of:
-  // bad_argument ("camera"), or pool_exhausted with the pool's name, and then it has no lines.
+  // bad_argument ("camera"), or pool_exhausted with the pool's name (index: the face that asked for more), and then it
+  // has no lines.
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
   bool next_line(Slice<std::uint8_t> out);
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
