@@ -1,11 +1,14 @@
 #include "hidden/facet_list.hpp"
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <set>
 
+#include "assetc/input_error.hpp"
+#include "assetc/sort_memory.hpp"
 #include "core/shade/light.hpp"
 #include "hidden/convex_solids.hpp"
+#include "hidden/laid_detail.hpp"
 #include "sim/status_text.hpp"
 
 namespace spanline::host {
@@ -59,8 +62,7 @@ FacetList::FacetList(const CompiledScene& scene, Facing facing, Solids solids) {
   record.instances = {instances.data(), static_cast<std::uint32_t>(instances.size())};
   const SceneView view = validated(record, scene.description().place);
   FacetReader reader(view, scene.camera(), {scene.description().width, scene.description().height}, {});
-  std::vector<Facet> details;
-  std::vector<std::uint16_t> parents;
+  std::map<std::uint16_t, std::vector<Facet>> details;  // by the face that they lie on
   std::vector<SolidFace> all;
   for (std::uint32_t face = 0; face < view.face_count(); ++face) {
     reader.select(static_cast<std::uint16_t>(face));
@@ -76,19 +78,39 @@ FacetList::FacetList(const CompiledScene& scene, Facing facing, Solids solids) {
     if (reader.parent() == kNoFace) {
       facets_.push_back(std::move(facet));
     } else {
-      details.push_back(std::move(facet));
-      parents.push_back(reader.parent());
+      details[reader.parent()].push_back(std::move(facet));
     }
   }
+  lay_on_panes(details, scene.description().place);
   hosts_ = static_cast<std::uint32_t>(facets_.size());
-  for (std::size_t i = 0; i < details.size(); ++i) {
-    const auto host = std::lower_bound(facets_.begin(), facets_.begin() + hosts_, parents[i],
-                                       [](const Facet& facet, std::uint16_t face) { return facet.face < face; });
-    if (host == facets_.begin() + hosts_ || host->face != parents[i] || host->transmission != Rgb8{}) continue;
-    host->details.push_back(static_cast<std::uint16_t>(facets_.size()));
-    facets_.push_back(std::move(details[i]));
-  }
+  lay_on_opaque(details);
   make_units(convex_solids(all));
+}
+
+void FacetList::lay_on_panes(std::map<std::uint16_t, std::vector<Facet>>& details, const std::string& place) {
+  std::optional<SortMemory> memory;
+  const std::size_t faces = facets_.size();
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto on_it = details.find(static_cast<std::uint16_t>(facets_[i].face));
+    if (facets_[i].transmission == Rgb8{} || on_it == details.end()) continue;
+    if (!memory) memory.emplace();
+    if (!DetailLayer(memory->refs().clipper).lay(facets_[i], on_it->second).ok()) {
+      throw InputError(place, "is too intricate: the detail on face " + std::to_string(facets_[i].face));
+    }
+    std::move(on_it->second.begin(), on_it->second.end(), std::back_inserter(facets_));
+    details.erase(on_it);
+  }
+}
+
+void FacetList::lay_on_opaque(std::map<std::uint16_t, std::vector<Facet>>& details) {
+  for (std::uint32_t i = 0; i < hosts_; ++i) {
+    const auto on_it = details.find(static_cast<std::uint16_t>(facets_[i].face));
+    if (on_it == details.end()) continue;
+    for (Facet& detail : on_it->second) {
+      facets_[i].details.push_back(static_cast<std::uint16_t>(facets_.size()));
+      facets_.push_back(std::move(detail));
+    }
+  }
 }
 
 // A solid of opaque faces without detail that are culled goes into the sort as one.
@@ -123,7 +145,12 @@ void FacetList::put(std::uint16_t i, area::AreaSort& sort) const {
 
 void FacetList::put_face(std::uint16_t i, area::AreaSort& sort) const {
   const bool clear = facets_[i].transmission != Rgb8{};
-  sort.begin_polygon(i, clear ? area::Opacity::translucent : area::Opacity::opaque);
+  const area::Opacity opacity = clear ? area::Opacity::translucent : area::Opacity::opaque;
+  if (facets_[i].plane) {
+    sort.begin_polygon(i, *facets_[i].plane, opacity);
+  } else {
+    sort.begin_polygon(i, opacity);
+  }
   put_rings(facets_[i], sort);
   for (const std::uint16_t detail : facets_[i].details) {
     sort.begin_detail(detail);

@@ -2,6 +2,9 @@
 // the engine gives them.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "assetc/compile.hpp"
@@ -18,6 +21,7 @@ struct Facet {
   Rgb8 transmission;                   // as MaterialRecord has it; all 0: opaque
   std::vector<std::uint16_t> details;  // facets that lie on this one
   bool two_sided;                      // seen from both sides, or of a mesh on the screen
+  std::optional<area::Plane> plane{};  // where it is not told from the rings: of a part of a see-through face
 };
 
 enum class Facing { as_culled, all };
@@ -26,8 +30,9 @@ enum class Facing { as_culled, all };
 enum class Solids { whole, face_by_face };
 
 // A scene for area::WindowSort, which knows nothing of surface detail and of solids: the former comes with the face
-// that it lies on, and a solid's faces come together. Detail of a see-through face is left out. Where a face has more
-// than three corners and they do not lie in one plane, the plane of its largest triangle stands for it.
+// that it lies on, and a solid's faces come together. Detail of a see-through face is cut out of it and stands beside
+// it. Where a face has more than three corners and they do not lie in one plane, the plane of its largest triangle
+// stands for it.
 class FacetList {
  public:
   // What `scene` shows in its present frame. A Gouraud face has the colour of its face normal.
@@ -38,7 +43,7 @@ class FacetList {
   const area::Box& bounds(std::uint16_t i) const { return units_[i].bounds; }
   void put(std::uint16_t i, area::AreaSort& sort) const;
 
-  std::uint32_t hosts() const { return hosts_; }  // facets that are no detail
+  std::uint32_t hosts() const { return hosts_; }  // facets that are no detail of another
 
   const std::vector<Facet>& facets() const { return facets_; }
   const Facet& operator[](std::size_t i) const { return facets_[i]; }
@@ -49,10 +54,12 @@ class FacetList {
     area::Box bounds = area::Box::none();
   };
 
+  void lay_on_panes(std::map<std::uint16_t, std::vector<Facet>>& details, const std::string& place);
+  void lay_on_opaque(std::map<std::uint16_t, std::vector<Facet>>& details);
   void put_face(std::uint16_t facet, area::AreaSort& sort) const;
   void make_units(const std::vector<std::int32_t>& solid_of_face);
 
-  std::vector<Facet> facets_;  // detail comes last
+  std::vector<Facet> facets_;  // detail of opaque ones comes last
   std::vector<Unit> units_;
   std::uint32_t hosts_ = 0;  // facets before
 };

@@ -116,6 +116,45 @@ TEST(HiddenVerb, SeeThroughFacesAreInTheOutput) {
   EXPECT_LT(share_that_differs(picture_of(scene), picture_of(again)), 0.0008);
 }
 
+// A red door behind a pane with a hole in it; on the pane a film that reaches past its outline, and on the film a
+// label.
+constexpr const char* kWindow = R"({
+  "size": [200, 160], "background": { "top": [20, 30, 60], "bottom": [90, 90, 120] },
+  "camera": { "eye": [0.7, 0.4, 5], "target": [0, 0, 0], "fov": 35, "near": 2, "far": 20 },
+  "materials": [ { "name": "red", "color": [200, 40, 30], "shading": "unlit" },
+                 { "name": "label", "color": [240, 240, 200], "shading": "unlit" },
+                 { "name": "glass", "color": [40, 160, 90], "shading": "unlit", "transmission": [0.5, 0.9, 0.6] },
+                 { "name": "film", "color": [30, 60, 200], "shading": "unlit", "transmission": [0.3, 0.3, 0.8] } ],
+  "meshes": [
+    { "name": "door", "material": "red", "vertices": [ [-1, -0.8, -1], [0.8, -0.8, -1], [0.8, 0.9, -1], [-1, 0.9, -1] ],
+      "faces": [ [0, 1, 2, 3] ] },
+    { "name": "pane", "material": "glass",
+      "vertices": [ [-1.1, -1, 0.3], [1.1, -1, 0], [1.1, 1, 0], [-1.1, 1, 0.3],
+                    [0.1, -0.6, 0.136], [0.7, -0.6, 0.055], [0.7, -0.1, 0.055], [0.1, -0.1, 0.136],
+                    [-0.5, -0.4, 0.218], [1.3, -0.2, -0.027], [1.2, 0.7, -0.013], [-0.4, 0.6, 0.205],
+                    [-0.2, 0.1, 0.177], [0.3, -0.3, 0.109], [0.5, 0.4, 0.082] ],
+      "faces": [ [ [0, 1, 2, 3], [4, 7, 6, 5] ] ],
+      "detail": [ { "on": 0, "material": "film", "faces": [ [8, 9, 10, 11] ] },
+                  { "on": 0, "material": "label", "faces": [ [12, 13, 14] ] } ] } ],
+  "instances": [ { "mesh": "door" }, { "mesh": "pane", "cull": false } ] })";
+
+TEST(HiddenVerb, DetailOfSeeThroughFacesTakesTheirPlace) {
+  const CompiledScene scene = compile(parse_scene("window", kWindow));
+  const FacetList facets(scene, Facing::as_culled);
+  const HiddenView shown = view_of(scene, 0, area::Panes::shown), named = view_of(scene, 0);
+  const CompiledScene again = compile(parse_scene("again", hidden_json(shown, facets, scene)));
+  EXPECT_LT(share_that_differs(picture_of(scene), picture_of(again)), 0.0008);
+  std::set<std::uint32_t> sources, films;
+  for (const VisiblePolygon& polygon : shown.polygons) sources.insert(facets[polygon.facet].face);
+  EXPECT_EQ(sources, (std::set<std::uint32_t>{0, 1, 2, 3}));
+  for (const VisiblePolygon& polygon : named.polygons) {
+    for (const std::uint16_t film : polygon.films) films.insert(facets[film].face);
+    const bool label = polygon.facet != area::kBackdrop && facets[polygon.facet].face == 3;
+    EXPECT_TRUE(!label || polygon.films.empty()) << "nothing lies before the label";
+  }
+  EXPECT_EQ(films, (std::set<std::uint32_t>{1, 2}));
+}
+
 // A town of 64 towers, of which no two touch.
 std::string town() {
   oracle::Random random(7);
