@@ -52,15 +52,18 @@ std::vector<std::uint16_t> parts_of(const host::MeshSource& mesh) {
 
 }  // namespace
 
-Oversampled::Oversampled(const host::CompiledScene& scene)
-    : view_(scene.view()),
-      axes_(host::axes_of(view_)),
-      width_(scene.description().width * kSamples),
-      height_(scene.description().height * kSamples),
-      focal_(height_ / 2.0 / std::tan(host::radians(view_.fov) / 2)),
-      samples_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {
+Oversampled::Oversampled(const host::SceneDescription& scene)
+    : width_(scene.width * kSamples),
+      height_(scene.height * kSamples),
+      part_of_(parts_of(scene.meshes[0])),
+      samples_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+
+void Oversampled::draw(const host::CompiledScene& scene) {
+  view_ = scene.view();
+  axes_ = host::axes_of(view_);
+  focal_ = height_ / 2.0 / std::tan(host::radians(view_.fov) / 2);
+  std::fill(samples_.begin(), samples_.end(), Sample{});
   const host::MeshSource& mesh = scene.description().meshes[0];
-  part_of_ = parts_of(mesh);
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     std::vector<host::Vec3> control;
     for (std::uint32_t c = 0; c < 16; ++c) {
@@ -155,11 +158,18 @@ bool Oversampled::pierced_by(std::uint32_t id, int column, int line, double radi
   });
 }
 
+const Oversampled::Sample& Oversampled::middle(int column, int line) const {
+  return samples_[(static_cast<std::size_t>(line) * kSamples + kSamples / 2) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(column) * kSamples + kSamples / 2];
+}
+
+std::uint32_t Oversampled::only(int column, int line, double radius) const {
+  const std::uint16_t id = middle(column, line).id;
+  return any_near(column, line, radius, [id](const Sample& there) { return there.id != id; }) ? kSeveral : id;
+}
+
 bool Oversampled::inside_a_part(int column, int line, double radius) const {
-  const std::size_t centre =
-      (static_cast<std::size_t>(line) * kSamples + kSamples / 2) * static_cast<std::size_t>(width_) +
-      static_cast<std::size_t>(column) * kSamples + kSamples / 2;
-  const std::uint16_t part = part_of_[samples_[centre].id];
+  const std::uint16_t part = part_of_[middle(column, line).id];
   return part != 0 && !any_near(column, line, radius, [&](const Sample& there) { return part_of_[there.id] != part; });
 }
 

@@ -14,8 +14,16 @@ class Oversampled {
  public:
   static constexpr int kSamples = 8;  // a pixel, each way
 
-  // Instance 0 of a scene, which stands where its mesh says, as the scene looks at it. Nothing may lie before the eye.
-  explicit Oversampled(const host::CompiledScene& scene);
+  // For instance 0 of scenes of this size, which stands where its mesh says.
+  explicit Oversampled(const host::SceneDescription& scene);
+
+  // Draws it as the scene looks at it. Nothing may lie before the eye.
+  void draw(const host::CompiledScene& scene);
+
+  // What all samples within `radius` px of the pixel's centre show: 1 + the patch's number, 0 the background; kSeveral
+  // where a boundary is that near, or the picture's.
+  static constexpr std::uint32_t kSeveral = 0xffff;
+  std::uint32_t only(int column, int line, double radius) const;
 
   // Whether a sample within `radius` px of the pixel's centre shows `id`: 1 + the patch's number, 0 the background.
   bool shows(std::uint32_t id, int column, int line, double radius) const;
@@ -40,15 +48,16 @@ class Oversampled {
   template <typename Wanted>
   bool any_near(int column, int line, double radius, const Wanted& wanted) const;
 
-  const host::View view_;
-  const host::Axes axes_;
+  host::View view_;
+  host::Axes axes_;
   int width_, height_;                  // in samples
-  double focal_;                        // in samples
+  double focal_ = 0;                    // in samples
   std::vector<std::uint16_t> part_of_;  // by id; 0 for the background
   struct Sample {
     std::uint16_t id = 0, second = 0;  // second: the nearest patch of another part
     float depth = 0, second_depth = 0;
   };
+  const Sample& middle(int column, int line) const;
   std::vector<Sample> samples_;
 };
 
