@@ -1,4 +1,5 @@
-// Frames per second of the bench scenes: whole frames in RGB565, projection to wire bytes, as a board would make them.
+// Frames per second of the bench scenes: whole frames in RGB565, projection to wire bytes, as a board would make them,
+// by either walker.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -12,16 +13,25 @@
 namespace spanline::host {
 namespace {
 
-constexpr Budget kBudget{
-    .facets = 1024, .vertices = 1200, .polygons = 192, .edges = 192, .segments = 192, .samples = 192, .implied = 64};
+constexpr Budget kSegments{.facets = 2048,
+                           .vertices = 1200,
+                           .polygons = 192,
+                           .edges = 192,
+                           .segments = 192,
+                           .samples = 192,
+                           .implied = 64,
+                           .tables = 7};
+constexpr Budget kEdges{.facets = 2048, .vertices = 1200, .edges = 512, .walker = Walker::edges, .tables = 7};
+constexpr Budget kFlatEdges{.facets = 2048, .vertices = 1200, .edges = 512, .gouraud = false, .walker = Walker::edges};
 
 void reshade(SceneDescription& scene, Shading shading) {
   for (MaterialSpec& material : scene.materials) material.shading = shading;
 }
 
 // One whole frame; false where something was left out.
-bool make_frame(Frame<>& frame, const SceneView& scene, const CameraRecord& camera, std::vector<std::uint8_t>& line) {
-  for (Band rest{0, kBudget.height}; !rest.empty();) {
+template <typename TheFrame>
+bool make_frame(TheFrame& frame, const SceneView& scene, const CameraRecord& camera, std::vector<std::uint8_t>& line) {
+  for (Band rest{0, kSegments.height}; !rest.empty();) {
     const Band band = frame.prepare(scene, camera, rest);
     if (band.empty()) return false;
     while (frame.next_line({line.data(), static_cast<std::uint32_t>(line.size())}))
@@ -31,7 +41,8 @@ bool make_frame(Frame<>& frame, const SceneView& scene, const CameraRecord& came
   return frame.status().ok();
 }
 
-void frames(benchmark::State& state, const std::string& name, Shading shading) {
+template <Budget kBudget>
+void draw(benchmark::State& state, const std::string& name, Shading shading) {
   SceneDescription description = read_scene(std::string(SPANLINE_SCENES) + "/" + name);
   reshade(description, shading);
   description.width = kBudget.width;
@@ -41,7 +52,7 @@ void frames(benchmark::State& state, const std::string& name, Shading shading) {
   SceneView view;
   if (!SceneView::validate(record, view).ok()) return state.SkipWithError("the scene's records are wrong");
   const auto memory = std::make_unique<FrameMemory<kBudget>>();
-  Frame<> frame(memory->storage());
+  Frame<options_for(kBudget)> frame(memory->storage());
   std::vector<std::uint8_t> line(frame.line_bytes());
   while (state.KeepRunning()) {
     if (!make_frame(frame, view, scene.camera(), line)) return state.SkipWithError("something was left out");
@@ -49,11 +60,24 @@ void frames(benchmark::State& state, const std::string& name, Shading shading) {
   state.SetItemsProcessed(state.iterations());  // items per second: frames per second
 }
 
-BENCHMARK_CAPTURE(frames, cube_flat, "S1.json", Shading::kFlat);
-BENCHMARK_CAPTURE(frames, teapot_flat, "S3.json", Shading::kFlat);
-BENCHMARK_CAPTURE(frames, teapot_gouraud, "S3.json", Shading::kGouraud);
-BENCHMARK_CAPTURE(frames, sheet_flat, "S4.json", Shading::kFlat);
-BENCHMARK_CAPTURE(frames, sheet_gouraud, "S4.json", Shading::kGouraud);
+void segments(benchmark::State& state, const std::string& name, Shading shading) {
+  draw<kSegments>(state, name, shading);
+}
+void edges(benchmark::State& state, const std::string& name, Shading shading) {
+  if (shading == Shading::kFlat) return draw<kFlatEdges>(state, name, shading);
+  draw<kEdges>(state, name, shading);
+}
+
+BENCHMARK_CAPTURE(segments, cube_flat, "S1.json", Shading::kFlat);
+BENCHMARK_CAPTURE(edges, cube_flat, "S1.json", Shading::kFlat);
+BENCHMARK_CAPTURE(segments, teapot_flat, "S3.json", Shading::kFlat);
+BENCHMARK_CAPTURE(edges, teapot_flat, "S3.json", Shading::kFlat);
+BENCHMARK_CAPTURE(segments, teapot_gouraud, "S3.json", Shading::kGouraud);
+BENCHMARK_CAPTURE(edges, teapot_gouraud, "S3.json", Shading::kGouraud);
+BENCHMARK_CAPTURE(segments, sheet_flat, "S4.json", Shading::kFlat);
+BENCHMARK_CAPTURE(edges, sheet_flat, "S4.json", Shading::kFlat);
+BENCHMARK_CAPTURE(segments, sheet_gouraud, "S4.json", Shading::kGouraud);
+BENCHMARK_CAPTURE(edges, sheet_gouraud, "S4.json", Shading::kGouraud);
 
 }  // namespace
 }  // namespace spanline::host

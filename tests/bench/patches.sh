@@ -6,11 +6,8 @@
 # usage: patches.sh SOURCE WORK FRAMES
 set -eu
 [ $# -eq 3 ] || { echo "usage: patches.sh SOURCE WORK FRAMES" >&2; exit 2; }
-command -v arm-none-eabi-g++ > /dev/null || { echo "skipped: no arm-none-eabi-g++"; exit 77; }
-source=$(cd "$1" && pwd)
-mkdir -p "$2"
-work=$(cd "$2" && pwd)
-tool=$3
+. "$1/tests/bench/images.sh"
+begin_images "$1" "$2" "$3"
 mesh=2889  # thousand instructions
 
 all=$work/frames/in-40-KB small=$work/frames/in-24-KB
@@ -20,11 +17,7 @@ cp -r "$all" "$small"
 sed 's/\.patch_grid = [0-9]*/.patch_grid = 1380/' "$all/budget.hpp" > "$small/budget.hpp"
 if cmp -s "$all/budget.hpp" "$small/budget.hpp"; then echo "FAILED: the budget has no patch_grid"; exit 1; fi
 
-quiet() { "$@" > "$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }; }
-quiet cmake -G Ninja -S "$source/tests/bench/image" -B "$work/m4" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
-  -DSPANLINE_BOARD="$source/tests/bench/board" -DSPANLINE_CPU=cortex-m4 -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_FRAMES="$all;$small"
-quiet cmake --build "$work/m4" -j 2 --target in-40-KB in-24-KB
+build_images m4 in-40-KB in-24-KB
 
 # check NAME KILOBYTES TIMES
 check() {
