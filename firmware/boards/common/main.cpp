@@ -19,6 +19,7 @@ constexpr demos::Demo kDemo = demos::chosen(kScreen);
 constexpr Budget budget() {
   Budget fitted = Board::fit(demos::budget_for(kDemo, kScreen));
   fitted.scan_out = policy_on<BoardPanel>(fitted.scan_out);
+  if (fitted.scan_out == ScanPolicy::full) fitted.kept_instances = 0;  // a panel with pages takes every line
   return fitted;
 }
 constexpr Budget kBudget = budget();
@@ -61,9 +62,10 @@ ScanOutStorage scan_out_storage() {
 
 void draw(TheFrame& frame, Presenter<BoardPanel>& presenter) {
   presenter.begin_frame(stage.view().scene().background);
+  frame.redraw(presenter.stale());
   for (Band rest{0, kScreen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
-    if (band.empty()) return demand(frame.status());
+    if (band.empty()) break;
     for (std::uint16_t line = band.top; frame.next_line(lines.back()); ++line) {
       bool in_flight;
       demand(presenter.line(line, {lines.back().data(), kLineBytes}, in_flight), line);

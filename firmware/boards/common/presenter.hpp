@@ -1,6 +1,7 @@
 // Between a finished line and the panel: sends what ScanOut finds to be sent.
 #pragma once
 
+#include "core/frame/band.hpp"
 #include "core/frame/scan_out.hpp"
 #include "hal/concepts.hpp"
 
@@ -35,6 +36,15 @@ class Presenter {
   Presenter(Panel& panel, const ScanOutStorage& storage) : panel_(panel), scan_out_(storage), screen_(storage.screen) {}
 
   void begin_frame(const BackgroundRecord& background) { scan_out_.begin_frame(background); }
+
+  // The lines that have to be drawn in this frame, whatever has changed, so that they are refreshed: a few at once and
+  // none in most frames, since each band that is drawn has its price.
+  Band stale() const {
+    constexpr std::uint16_t kAtOnce = 8;
+    const std::uint16_t last = scan_out_.refreshed(), end = static_cast<std::uint16_t>(last + 1);
+    if (end % kAtOnce != 0 && end != screen_.height) return {};
+    return {static_cast<std::uint16_t>(last / kAtOnce * kAtOnce), end};
+  }
 
   // Sends what has to be sent of a line. `in_flight` says whether anything was: `bytes` must then stay as they are
   // until something else of another buffer has been sent, or the frame has ended.

@@ -50,6 +50,9 @@ struct Budget {
   // looks 0: 15 for the segment walker, 127 for the others.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
+  // Instances that are compared with the frame before, so that lines on which nothing has moved are not drawn again
+  // (ChangedLines), 76 bytes each, and a bit a line; 0: every line is drawn in every frame.
+  std::uint16_t kept_instances = 0;
   ScanPolicy scan_out = ScanPolicy::full;  // ScanOutMemory: extents take 4 bytes a line, tiles 4 more for each tile
 };
 

@@ -12,9 +12,9 @@ class EdgeLines {
   explicit EdgeLines(const FrameStorage& storage) : mesh_(storage), patches_(storage) {}
 
   // As MeshLines.
-  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr) {
     of_patches_ = scene.has_patches();
-    return of_patches_ ? patches_.begin(scene, camera, top) : mesh_.begin(scene, camera, top);
+    return of_patches_ ? patches_.begin(scene, camera, top) : mesh_.begin(scene, camera, top, changes);
   }
   bool ready() const { return of_patches_ ? patches_.ready() : mesh_.ready(); }
   const SceneRecord& scene() const { return of_patches_ ? patches_.scene() : mesh_.scene(); }

@@ -15,7 +15,8 @@ constexpr FrameOptions options_for(const Budget& budget) {
   return {.patches = points || budget.patch_facets != 0 || budget.patch_grid != 0,
           .points = points,
           .layers = budget.layers != 0,
-          .walker = budget.walker};
+          .walker = budget.walker,
+          .changes = budget.kept_instances != 0};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>
@@ -31,6 +32,9 @@ class Frame {
   // of one frame too. A band that begins at line 0 begins a frame and clears status and statistics. Empty, with a
   // status, where rest or the camera is out of range, or the scene has patches, or is SceneView::layered(), and
   // FrameOptions::patches or layers is not set.
+  //
+  // With FrameOptions::changes only lines that may differ from the frame before are drawn (ChangedLines): the band
+  // begins at the first of them, and with a status of ok an empty one means that there is none.
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
 
   // Renders the next line of the band into `out`, in wire order. `out` must hold line_bytes() and begin on a 4-byte
@@ -38,6 +42,12 @@ class Frame {
   bool next_line(Slice<std::uint8_t> out);
 
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
+
+  // Without FrameOptions::changes these say nothing. The next frame draws these lines, whatever has moved: the panel
+  // does not show what it was sent.
+  void redraw(Band lines) { changes_.redraw(lines); }
+  // The next frame draws everything: meshes, materials or lights are not what they were.
+  void forget() { changes_.forget(); }
 
   // Of the frame so far: what went wrong first. pool_exhausted means that a line needed more blocks than a pool has:
   // the picture then lacks the highest face numbers there, from that line to the end of its band, or the highest curve
@@ -77,6 +87,7 @@ class Frame {
   void read_vertices();
   FaceLook look_of(std::uint16_t face);
   bool mesh_line(std::uint16_t line);
+  bool end_line();
   bool same_frame(const SceneView& scene, const CameraRecord& camera, Band rest) const;
   std::uint16_t plan(std::uint16_t top, std::uint16_t bottom);
   bool file_facets(std::uint16_t top, std::uint16_t bottom);
@@ -139,15 +150,17 @@ class Frame {
   Status status_;
   Band band_;                         // the one that prepare() returned; top: the next line
   std::uint16_t planned_ = 0;         // end of the run of lines whose facets are filed
-  std::uint16_t height_ = 0;          // lines of the run planned last: where the next plan begins
+  std::uint16_t height_ = 0;          // lines of the run planned last
+  std::uint16_t fitting_ = 0;         // lines of a run that fitted, where that was asked: where the next plan begins
   std::uint16_t polygons_filed_ = 0;  // of the facets filed; those of patches follow them, in patches_'s order
   std::uint16_t bands_ = 0, most_facets_ = 0, vertices_ = 0;
+  [[no_unique_address]] std::conditional_t<kOptions.changes, ChangedLines, AllLines> changes_;
 };
 
 // With the edge walker alone: scenes of meshes, or with FrameOptions::patches of patches.
 template <FrameOptions kOptions>
 using EdgeFrame = MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshLines<kOptions.taps>>,
-                            kOptions.statistics>;
+                            kOptions.statistics, kOptions.changes>;
 template <FrameOptions kOptions>
 requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
   using Base = EdgeFrame<kOptions>;

@@ -70,7 +70,8 @@ Frame<kOptions>::Frame(const FrameStorage& storage)
       vsg_(storage.vsg, storage.screen, &reader_),
       painter_(storage.screen),
       curves_(storage.curves, storage.screen),
-      height_(storage.screen.height) {
+      fitting_(storage.screen.height),
+      changes_(storage.changes, storage.screen) {
   if constexpr (kDices) patches_ = PatchSource(storage.patches, storage.screen);
   if constexpr (kOptions.points) patches_ = PointSource(storage.points, storage.screen);
 }
@@ -103,6 +104,9 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
     note(status);
     return {};
   }
+  if (rest.top == 0) changes_.begin_frame(scene, camera);
+  rest = changes_.next(rest);
+  if (rest.empty()) return rest;
   const bool had_segments = again && !has_mesh_lines();
   scene_ = scene;
   camera_ = camera;
@@ -112,7 +116,9 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   }
   begin_curves(rest);
   if constexpr (kOptions.walker == Walker::both) {
-    if (!had_segments && mesh_.begin(scene_, camera_, rest.top).ok()) return band_ = rest;
+    ChangedLines* changes = nullptr;
+    if constexpr (kOptions.changes) changes = &changes_;
+    if (!had_segments && mesh_.begin(scene_, camera_, rest.top, changes).ok()) return band_ = rest;
   }
   if (!had_segments) read_vertices();
   band_ = {rest.top, plan(rest.top, rest.bottom)};
@@ -144,18 +150,20 @@ bool Frame<kOptions>::mesh_line(std::uint16_t line) {
   return false;
 }
 
-// Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The run planned last,
-// and twice that, is where the search begins.
+// Files the facets of the longest run of lines that begins at `top` and fits; returns its end. The longest that was
+// known to fit, and twice that, is where the search begins; a run that was to be short says nothing of others.
 template <FrameOptions kOptions>
 std::uint16_t Frame<kOptions>::plan(std::uint16_t top, std::uint16_t bottom) {
   std::uint32_t lines = static_cast<std::uint32_t>(bottom - top);
-  if (lines > 2u * height_) lines = 2u * height_;
+  if (lines > 2u * fitting_) lines = 2u * fitting_;
   if (lines > buckets_.capacity()) lines = buckets_.capacity();
   if constexpr (kOptions.points) {
     if (plots() && lines > patches_.lines()) lines = patches_.lines();
   }
+  const std::uint32_t tried = lines;
   while (!file_facets(top, static_cast<std::uint16_t>(top + lines))) lines /= 2;
   height_ = static_cast<std::uint16_t>(lines);
+  if (lines != tried || lines > fitting_) fitting_ = height_;
   planned_ = static_cast<std::uint16_t>(top + lines);
   vsg_.begin_band(planned_);
   if constexpr (kOptions.points) {
@@ -289,23 +297,26 @@ bool Frame<kOptions>::next_line(Slice<std::uint8_t> out) {
   }
   const std::uint16_t line = band_.top;
   painter_.begin_line(line, out.data());
-  if (mesh_line(line)) {
-    note(curves_.draw(line, painter_));
-    ++band_.top;
-    return true;
-  }
+  if (mesh_line(line)) return end_line();
   if (line == planned_) plan(line, band_.bottom);
   vsg_.begin_line(line);
   // Where the edges of the facets alive do not fit, a run that ends sooner files fewer of them; a run of one line files
   // none.
   while (!begin_facets(line)) {
-    height_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
+    fitting_ = static_cast<std::uint16_t>((planned_ - line + 1) / 4 + 1);
     plan(line, static_cast<std::uint16_t>(line + (planned_ - line) / 2));
   }
   Sink sink{painter_, tap_, *this};
   vsg_.run(line, sink);
   note(vsg_.status());
-  note(curves_.draw(line, painter_));
+  return end_line();
+}
+
+// Draws what lies over the faces.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::end_line() {
+  note(curves_.draw(band_.top, painter_));
+  if (status_.ok()) changes_.drawn(band_.top);
   ++band_.top;
   return true;
 }

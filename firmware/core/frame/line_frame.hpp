@@ -40,6 +40,7 @@ class LineFrame {
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
   bool next_line(Slice<std::uint8_t> out);
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
+  void redraw(Band) {}  // every line is drawn in every frame
   const Status& status() const { return status_; }
 
  private:

@@ -14,18 +14,25 @@ Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t 
 
 // What a Frame is with the edge walker alone, for meshes (MeshLines) or for patches: to be used as every Frame. Scenes
 // that the walker cannot draw are refused by prepare() with the status of MeshLines::begin(); a line for which a pool
-// is too small ends the band, and status() names the pool. prepare() returns all of `rest`.
-template <typename Lines, bool kStatistics>
+// is too small ends the band, and status() names the pool. prepare() returns all of `rest`, or of what has changed in
+// it the first run of lines.
+template <typename Lines, bool kStatistics, bool kChanges>
 class MeshFrame {
  public:
   explicit MeshFrame(const FrameStorage& storage)
-      : screen_(storage.screen), mesh_(storage), painter_(storage.screen), curves_(storage.curves, storage.screen) {}
+      : screen_(storage.screen),
+        mesh_(storage),
+        painter_(storage.screen),
+        curves_(storage.curves, storage.screen),
+        changes_(storage.changes, storage.screen) {}
   MeshFrame(const MeshFrame&) = delete;
   MeshFrame& operator=(const MeshFrame&) = delete;
 
   Band prepare(const SceneView& scene, const CameraRecord& camera, Band rest);
   bool next_line(Slice<std::uint8_t> out);
   std::uint32_t line_bytes() const { return painter_.line_bytes(); }
+  void redraw(Band lines) { changes_.redraw(lines); }
+  void forget() { changes_.forget(); }
   const Status& status() const { return status_; }
   // What Lines count.
   Counters<kStatistics> statistics() const {
@@ -36,6 +43,13 @@ class MeshFrame {
   void set_tap(const SpanTap& tap) { tap_ = tap; }
 
  private:
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
+    if constexpr (kChanges && requires { mesh_.begin(scene, camera, top, &changes_); }) {
+      return mesh_.begin(scene, camera, top, &changes_);
+    } else {
+      return mesh_.begin(scene, camera, top);
+    }
+  }
   [[gnu::noinline]] bool end(const Status& status);
   void note(const Status& status) {
     if (status_.ok()) status_ = status;
@@ -48,15 +62,21 @@ class MeshFrame {
   [[no_unique_address]] SpanTap tap_;
   Status status_;
   Band band_;
+  [[no_unique_address]] std::conditional_t<kChanges, ChangedLines, AllLines> changes_;
 };
 
-template <typename Lines, bool kStatistics>
-Band MeshFrame<Lines, kStatistics>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
+template <typename Lines, bool kStatistics, bool kChanges>
+Band MeshFrame<Lines, kStatistics, kChanges>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
   if (rest.top == 0) status_ = {};
   band_ = {};
   Status status = check_band(rest, screen_);
   if (status.ok()) status = check_camera(camera);
-  if (status.ok()) status = mesh_.begin(scene, camera, rest.top);
+  if (status.ok()) {
+    if (rest.top == 0) changes_.begin_frame(scene, camera);
+    rest = changes_.next(rest);
+    if (rest.empty()) return rest;
+    status = begin(scene, camera, rest.top);
+  }
   if (status.ok()) {
     status = curves_.begin(scene, camera, rest.top, rest.bottom);
     painter_.begin_lines(scene.scene().background);
@@ -66,19 +86,20 @@ Band MeshFrame<Lines, kStatistics>::prepare(const SceneView& scene, const Camera
   return band_;
 }
 
-template <typename Lines, bool kStatistics>
-bool MeshFrame<Lines, kStatistics>::next_line(Slice<std::uint8_t> out) {
+template <typename Lines, bool kStatistics, bool kChanges>
+bool MeshFrame<Lines, kStatistics, kChanges>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
   if (!takes_line(out, line_bytes())) return end(line_refused(out, line_bytes(), band_.top));
   painter_.begin_line(band_.top, out.data());
   if (!mesh_.next(band_.top, painter_, tap_)) return end(mesh_.shortage());
   if (const Status& drawn = curves_.draw(band_.top, painter_); !drawn.ok()) note(drawn);
+  if (status_.ok()) changes_.drawn(band_.top);
   ++band_.top;
   return true;
 }
 
-template <typename Lines, bool kStatistics>
-bool MeshFrame<Lines, kStatistics>::end(const Status& status) {
+template <typename Lines, bool kStatistics, bool kChanges>
+bool MeshFrame<Lines, kStatistics, kChanges>::end(const Status& status) {
   note(status);
   band_ = {};
   return false;

@@ -3,12 +3,14 @@
 
 namespace spanline {
 
-// Takes another value for what is not drawn, which none of the words before `next` has.
-std::uint16_t FaceWords::avoid(const std::uint16_t* next) {
+// Takes another value for what is not drawn, which no word has: of the pool's, since those of faces that are not set
+// any more may be kept.
+std::uint16_t FaceWords::avoid() {
   const std::uint16_t old = not_drawn_;
   std::uint16_t* const first = &words_[1];
+  std::uint16_t* const end = first + words_.capacity();
   const auto taken = [&] {
-    for (const std::uint16_t* word = first; word != next; ++word) {
+    for (const std::uint16_t* word = first; word != end; ++word) {
       if (*word == not_drawn_) return true;
     }
     return false;
@@ -16,7 +18,7 @@ std::uint16_t FaceWords::avoid(const std::uint16_t* next) {
   do {
     not_drawn_ = static_cast<std::uint16_t>(not_drawn_ + 0x9e37);  // odd: comes round every value
   } while (not_drawn_ == old || taken());
-  for (std::uint16_t* word = first; word != next; ++word) {
+  for (std::uint16_t* word = first; word != end; ++word) {
     if (*word == old) *word = not_drawn_;
   }
   return not_drawn_;

@@ -12,16 +12,6 @@
 
 namespace spanline {
 
-// A run of scan lines, [top, bottom).
-struct Band {
-  std::uint16_t top = 0, bottom = 0;
-  constexpr bool empty() const { return top >= bottom; }
-  constexpr std::uint16_t lines() const {
-    return empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(bottom - top);
-  }
-  friend constexpr bool operator==(const Band&, const Band&) = default;
-};
-
 // Sees every visible span before it is painted; for tools (VsgOptions::taps). A line that the edge walker gives up is
 // seen again from its left end.
 struct SpanTap {
@@ -31,7 +21,8 @@ struct SpanTap {
 };
 
 // The word of a face: the colour it is painted in, or the one value that means that it is not drawn. That value is no
-// drawn face's colour: where one turns out to have it, another takes its place.
+// drawn face's colour: where one turns out to have it, another takes its place. Faces that are not set keep their
+// words.
 class FaceWords {
  public:
   FaceWords() = default;
@@ -41,14 +32,14 @@ class FaceWords {
   std::uint16_t& operator[](FaceId face) { return words_[face]; }
   DrawnFaces<std::uint16_t> drawn() const { return {&words_[0], not_drawn_}; }
 
-  // Sets faces one after another, from one on; those before it are set.
+  // Sets faces one after another, from one on.
   class Run {
    public:
     Run(FaceWords& words, FaceId first) : words_(words), next_(&words.words_[first]), not_drawn_(words.not_drawn_) {}
     void hide() { *next_++ = not_drawn_; }
     void set(std::uint16_t color) {
       if (color == not_drawn_) [[unlikely]]
-        not_drawn_ = words_.avoid(next_);
+        not_drawn_ = words_.avoid();
       *next_++ = color;
     }
 
@@ -60,7 +51,7 @@ class FaceWords {
   Run from(FaceId first) { return {*this, first}; }
 
  private:
-  std::uint16_t avoid(const std::uint16_t* next);
+  std::uint16_t avoid();
 
   PoolRef<std::uint16_t> words_;
   std::uint16_t not_drawn_ = 0x2008;
@@ -102,8 +93,9 @@ class MeshLines {
   MeshLines(const FrameStorage& storage);
 
   // Makes ready the lines from `top` on; costs nothing where they follow the line made last. Fails where the edge
-  // walker cannot draw the scene: the status says which record, or which pool is too small.
-  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
+  // walker cannot draw the scene: the status says which record, or which pool is too small. With ChangedLines, what has
+  // not moved is neither projected nor lit again.
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr);
   bool ready() const { return ready_; }
   void count(Statistics& s) const { s.max_edges = walker_.most_edges(); }  // see Budget::edges
   const SceneRecord& scene() const { return scene_.scene(); }

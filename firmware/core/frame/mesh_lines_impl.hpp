@@ -109,8 +109,10 @@ MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
 }
 
 template <bool kTaps>
-Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
-  if (ready_ && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
+Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
+                               ChangedLines* changes) {
+  const bool still = changes == nullptr || changes->still();
+  if (ready_ && still && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
   ready_ = false;
   scene_ = scene;
   camera_ = camera;
@@ -125,9 +127,14 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   walker_.begin(scene_.scene(), top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
+    if (changes != nullptr && !changes->moved(at.index())) {
+      walker_.vertices(at.first_vertex()).file_again(at.mesh().positions.size());
+      continue;
+    }
     if (!project(at)) return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", at.index()};
     light(at);
   }
+  if (changes != nullptr) changes->geometry_kept();
   line_ = top;
   ready_ = true;
   return {};

@@ -52,7 +52,11 @@ class ScanOut {
   // The next run of the line, from left to right; on whole bytes. False when there is none left.
   bool next(PixelRun& run);
 
-  // The panel shows nobody knows what.
+  // The line of this frame of which nothing is known from now on until it is drawn. Where only what has changed is
+  // drawn it is to be drawn, too, now or later.
+  std::uint16_t refreshed() const { return refreshed_; }
+
+  // The panel shows nobody knows what: a Frame that draws only what has changed is to redraw() every line.
   void lost();
 
  private:

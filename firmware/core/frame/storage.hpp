@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/frame/budget.hpp"
+#include "core/frame/changed_lines.hpp"
 #include "core/frame/curve_overlay.hpp"
 #include "core/frame/patch_grids.hpp"
 #include "core/frame/patch_source.hpp"
@@ -41,6 +42,7 @@ struct FrameStorage {
   SmoothStorage smooth;
   CurveOverlay* curves = nullptr;  // null: curves are not drawn
   PointStorage points = {};
+  ChangesStorage changes = {};
 };
 
 // The pools of smooth triangles, where there are any.
@@ -103,6 +105,22 @@ class PointPools {
 };
 template <>
 class PointPools<0> {
+ public:
+  void add_to(FrameStorage&) {}
+};
+
+// What is known of the frame before.
+template <std::uint16_t kInstances, std::uint32_t kLines>
+class KeptMemory {
+ public:
+  void add_to(FrameStorage& storage) { storage.changes = {instances_, lines_}; }
+
+ private:
+  KeptInstance instances_[kInstances];
+  std::uint32_t lines_[(kLines + 31) / 32];
+};
+template <std::uint32_t kLines>
+class KeptMemory<0, kLines> {
  public:
   void add_to(FrameStorage&) {}
 };
@@ -196,6 +214,7 @@ class FrameMemory {
     mesh_.add_to(storage);
     curves_.add_to(storage);
     points_.add_to(storage);
+    kept_.add_to(storage);
     return storage;
   }
 
@@ -208,6 +227,7 @@ class FrameMemory {
   [[no_unique_address]] SmoothPools<kLooks, kBudget.tables, kBudget.gouraud> smooth_;
   [[no_unique_address]] std::conditional_t<kBudget.strands == 0, NoCurves, CurvePools<kBudget>> curves_;
   [[no_unique_address]] PointPools<std::uint32_t{kBudget.point_lines} * kBudget.width> points_;
+  [[no_unique_address]] KeptMemory<kBudget.kept_instances, kBudget.height> kept_;
 };
 
 }  // namespace spanline

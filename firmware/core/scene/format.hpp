@@ -173,6 +173,7 @@ struct Transform {
     const Fx16 one = Fx16::from_int(1);
     return {{{one, {}, {}}, {{}, one, {}}, {{}, {}, one}}, {}};
   }
+  friend constexpr bool operator==(const Transform&, const Transform&) = default;
 };
 
 struct InstanceRecord {
@@ -187,6 +188,8 @@ struct InstanceRecord {
   std::uint16_t flags = kNone;
   std::uint16_t material = kOwnMaterials;  // replaces every material of the mesh, kOwnMaterials keeps them
   Transform transform = Transform::identity();
+
+  friend constexpr bool operator==(const InstanceRecord&, const InstanceRecord&) = default;
 };
 
 // A directional light. Intensities are Q8.8 a channel, 256 = full.

@@ -24,6 +24,7 @@ struct VsgOptions {
   bool points = false;      // patches are plotted as points, not diced: Budget::point_lines; then there are no layers
   bool layers = false;      // surface detail and see-through polygons are drawn: the pools of Budget::layers
   Walker walker = Walker::segments;
+  bool changes = false;  // lines that show what they showed are not drawn again: the storage of Budget::kept_instances
 };
 
 }  // namespace spanline

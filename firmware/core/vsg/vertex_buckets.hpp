@@ -38,6 +38,12 @@ class VertexBuckets {
     void file(std::uint32_t vertex) {
       if (links_[vertex] == kNotFiled) buckets_.put(static_cast<std::uint16_t>(first_ + vertex));
     }
+    // Files those of the first `count` that were filed before.
+    void file_again(std::uint32_t count) {
+      for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
+        if (filed(vertex)) buckets_.put(static_cast<std::uint16_t>(first_ + vertex));
+      }
+    }
     bool filed(std::uint32_t vertex) const { return links_[vertex] != kNotFiled; }
 
    private:

@@ -1,0 +1,9 @@
+#include "core/frame/frame_impl.hpp"
+
+namespace spanline {
+
+template class Frame<FrameOptions{.changes = true}>;
+template class Frame<FrameOptions{.walker = Walker::edges, .changes = true}>;
+template class Frame<FrameOptions{.walker = Walker::both, .changes = true}>;
+
+}  // namespace spanline
