@@ -173,14 +173,30 @@ CameraRecord random_camera(Random& random) {
   return camera;
 }
 
+// Ambient light of any hue, and lights of another one, from where they may.
+void tint(Random& random, MeshScene& scene) {
+  for (std::uint16_t& channel : scene.ambient) channel = static_cast<std::uint16_t>(random.below(200));
+  int hue[3];
+  for (int& channel : hue) channel = random.below(256);
+  scene.lights.clear();
+  for (int count = random.between(0, 3); count > 0; --count) {
+    LightRecord light{};
+    light.direction[random.below(3)].raw = random.percent(50) ? Fx30::kOne : -Fx30::kOne;
+    const double amount = random.between(10, 120) / 100.0;
+    for (int i = 0; i < 3; ++i) light.intensity[i] = static_cast<std::uint16_t>(std::lround(amount * hue[i]));
+    scene.lights.push_back(light);
+  }
+}
+
 }  // namespace
 
 SceneRecord MeshScene::record() {
   mesh_records.clear();
   for (const host::MeshTables& mesh : meshes) mesh_records.push_back(mesh.record());
   const auto slice = [](const auto& items) { return Slice(items.data(), static_cast<std::uint32_t>(items.size())); };
-  return {slice(mesh_records), slice(instances), slice(materials),
-          slice(lights),       {64, 64, 64},     {{9, 9, 9}, {9, 9, 200}}};
+  return {
+      slice(mesh_records),     slice(instances), slice(materials), slice(lights), {ambient[0], ambient[1], ambient[2]},
+      {{9, 9, 9}, {9, 9, 200}}};
 }
 
 MeshScene random_mesh_scene(std::uint64_t seed) {
@@ -217,6 +233,7 @@ MeshScene random_mesh_scene(std::uint64_t seed) {
   scene.screen = {static_cast<std::uint16_t>(random.between(1, 320)),
                   static_cast<std::uint16_t>(random.between(1, 240)),
                   static_cast<PixelFormat>(random.percent(70) ? 0 : random.below(4))};
+  if (random.percent(50)) tint(random, scene);
   return scene;
 }
 

@@ -16,6 +16,7 @@ struct MeshScene {
   std::vector<InstanceRecord> instances;
   std::vector<MaterialRecord> materials;
   std::vector<LightRecord> lights;
+  std::uint16_t ambient[3] = {64, 64, 64};
   CameraRecord camera;
   Screen screen;
 
@@ -24,7 +25,7 @@ struct MeshScene {
 
 // Soups of triangles over few vertices, folded sheets, closed bodies, slivers, faces drawn twice; some of them in
 // several places, which pierce each other, reach over the screen's sides, are larger than the screen or smaller than
-// a pixel.
+// a pixel; half of them in light of a hue.
 MeshScene random_mesh_scene(std::uint64_t seed);
 
 }  // namespace spanline::test

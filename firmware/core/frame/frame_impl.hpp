@@ -47,7 +47,7 @@ struct Frame<kOptions>::Sink {
         return frame.look_of(static_cast<std::uint16_t>(face - 1));
       });
       return painter.smooth(s.left, s.right, look.plane,
-                            frame.smooth_.colors(look.material, frame.scene_.scene().materials));
+                            frame.smooth_.colors(look.material, frame.scene_.scene()));
     }
     painter.span(s);
   }
@@ -369,7 +369,7 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && !curved) {
     const LightRig& rig = lights();
     const bool alone = !kOptions.layers || !scene_.layered();  // layers are made of colours along edges
-    if (alone && smooth_.on() && rig.grey() && material.reach == MaterialRecord::kAllLight &&
+    if (alone && smooth_.on() && rig.one_hue() && material.reach == MaterialRecord::kAllLight &&
         reader_.face().corners.size() == 3 && !reader_.clipped()) {
       return vsg_.add(face, line, layered({.smooth = true}, {}, material), [](std::uint16_t) { return Rgb8{}; });
     }

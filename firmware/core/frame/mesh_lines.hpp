@@ -113,7 +113,7 @@ class MeshLines {
   struct Sink;
 
   Status check(const SceneView& scene) const;
-  bool has_hue(const SceneRecord& scene) const;
+  bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;

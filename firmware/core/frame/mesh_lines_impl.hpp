@@ -43,7 +43,7 @@ struct MeshLines<kTaps>::Sink {
     const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], [this](FaceId f) { return mesh.look_of(f); });
     if (!look.smooth()) return false;
     if (!mesh.brush_.knows(face, look)) {
-      mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene().materials));
+      mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene()));
     }
     return true;
   }
@@ -157,7 +157,7 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
     }
     const std::uint32_t materials = scene.scene().materials.size();
     if (materials >= FaceLook::kNoMaterial) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
-    if (has_hue(scene.scene())) return {Code::bad_record, "LightRecord", "intensity (hue)"};
+    if (has_hues(scene.scene())) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
   }
   for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
     const std::uint16_t flags = at.instance().flags;
@@ -172,12 +172,12 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
 
 // Whether a smooth triangle would need more than its brightness.
 template <bool kTaps>
-bool MeshLines<kTaps>::has_hue(const SceneRecord& scene) const {
+bool MeshLines<kTaps>::has_hues(const SceneRecord& scene) const {
   bool gouraud = false;
   for (const MaterialRecord& material : scene.materials) {
     gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
   }
-  return gouraud && !LightRig(scene, Transform::identity()).grey();
+  return gouraud && !LightHue(scene).one();
 }
 
 // How a face looks in a smooth scene, where its word is not a colour.

@@ -1,6 +1,7 @@
 #include "core/shade/brightness.hpp"
 
 #include "core/geom/gradient.hpp"
+#include "core/shade/light_hue.hpp"
 #include "core/shade/pixel.hpp"
 
 namespace spanline {
@@ -50,15 +51,18 @@ void SmoothCache::clear() {
   for (std::uint32_t i = 0; i <= table_mask_; ++i) tables_[i].material = FaceLook::kNoMaterial;
 }
 
-void SmoothCache::fill(ColorTable& table, std::uint16_t material, const Rgb8& color) {
+void SmoothCache::fill(ColorTable& table, std::uint16_t material, const SceneRecord& scene) {
+  const Rgb8 color = scene.materials[material].color;
+  const LightHue hue(scene);
   table.material = material;
   constexpr std::uint32_t kLast = ColorTable::kEntries - 1;
   for (std::uint32_t i = 0; i <= kLast; ++i) {
     const std::uint32_t bright = (i * 256 + kLast / 2) / kLast;  // Q8.8, as LightRig sums light
-    const auto lit = [bright](std::uint32_t channel) {
-      return static_cast<std::uint8_t>((channel * bright + 128) >> 8);
+    const auto lit = [&hue, bright](std::uint32_t channel, int number) {
+      const std::uint32_t v = (channel * hue.in(number, bright) + 128) >> 8;
+      return static_cast<std::uint8_t>(v < 255 ? v : 255);
     };
-    table.colors[i] = flat_payload(format_, {lit(color.r), lit(color.g), lit(color.b)});
+    table.colors[i] = flat_payload(format_, {lit(color.r, 0), lit(color.g, 1), lit(color.b, 2)});
   }
 }
 

@@ -1,5 +1,5 @@
-// Gouraud's shading of triangles in light without hue: brightness is a plane over the screen, and a table turns it into
-// colours.
+// Gouraud's shading of triangles in light of one hue (LightHue): brightness is a plane over the screen, and a table
+// turns it into colours.
 #pragma once
 
 #include <bit>
@@ -98,15 +98,15 @@ class SmoothCache {
     looks_[oldest_].face = face;
     return looks_[oldest_];
   }
-  // Likewise a material's colours.
-  const std::uint16_t* colors(std::uint16_t material, const Slice<const MaterialRecord>& materials) {
+  // Likewise a material's colours in the light of the scene.
+  const std::uint16_t* colors(std::uint16_t material, const SceneRecord& scene) {
     ColorTable& table = tables_[material & table_mask_];
-    if (table.material != material) fill(table, material, materials[material].color);
+    if (table.material != material) fill(table, material, scene);
     return table.colors;
   }
 
  private:
-  void fill(ColorTable& table, std::uint16_t material, const Rgb8& color);
+  void fill(ColorTable& table, std::uint16_t material, const SceneRecord& scene);
 
   PoolRef<FaceLook> looks_;
   PoolRef<ColorTable> tables_;

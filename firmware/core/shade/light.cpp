@@ -64,6 +64,9 @@ void cofactors(const Matrix& m, Matrix& out) {
   Matrix shape, turned;
   normalise([&](int i, int j) { return std::int64_t{transform.matrix[i][j].raw}; }, shape);
   uniform_ = is_uniform(shape);
+  const LightHue hue(scene);
+  one_hue_ = hue.one();
+  channel_ = static_cast<std::int8_t>(hue.channel());
   cofactors(shape, turned);
   const auto length = static_cast<std::int32_t>(square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0))));
   for (std::uint32_t l = 0; l < count_; ++l) {
@@ -108,11 +111,11 @@ std::uint32_t LightRig::turned_length(const Normal10& normal) const {
   return dot < 32768 ? dot : 32768;
 }
 
-std::uint32_t LightRig::grey_sum_of_all(const Normal10& normal, bool flip) const {
-  std::uint32_t sum = ambient_[0];
+std::uint32_t LightRig::sum_of_all(const Normal10& normal, bool flip) const {
+  std::uint32_t sum = ambient_[channel_];
   const std::uint32_t length = uniform_ ? 0 : turned_length(normal);
   for (unsigned l = 0; l < count_; ++l) {
-    sum += (static_cast<std::uint32_t>(diffuse(l, normal, flip, length)) * intensity_[l][0] + (1u << 14)) >> 15;
+    sum += (static_cast<std::uint32_t>(diffuse(l, normal, flip, length)) * intensity_[l][channel_] + (1u << 14)) >> 15;
   }
   return sum;
 }

@@ -4,6 +4,7 @@
 
 #include "core/scene/format.hpp"
 #include "core/shade/brightness.hpp"
+#include "core/shade/light_hue.hpp"
 
 namespace spanline {
 
@@ -17,23 +18,23 @@ class LightRig {
   // The colour of a surface with this normal and material; `flip` turns the normal round (a back seen from behind).
   Rgb8 shade(const Normal10& normal, const MaterialRecord& material, bool flip) const;
 
-  // Whether ambient and lights have no hue, so that brightness is one number.
-  bool grey() const { return grey_; }
-  // How bright a surface with this normal is then.
+  // Whether all lights have one hue, so that brightness is one number.
+  bool one_hue() const { return one_hue_; }
+  // How bright a surface with this normal is then, in LightHue's channel.
   Brightness brightness(const Normal10& normal, bool flip) const {
-    const std::uint32_t sum = grey_sum(normal, flip);
+    const std::uint32_t sum = single() && !flip ? one().sum(normal) : sum_of_all(normal, flip);
     return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
   }
-  // Whether that is the sum() of one() light.
-  bool simple() const { return grey_ && count_ == 1 && uniform_; }
+  // Whether neither lights nor ambient light have a hue, and that is the sum() of one() light, in every channel.
+  bool simple() const { return grey_ && single(); }
 
-  // A light without hue and the ambient light, in a mesh that is turned and scaled evenly.
+  // LightHue's channel of a light and of the ambient light, in a mesh that is turned and scaled evenly.
   struct One {
     std::int32_t x, y, z;  // towards the light, as LightRig::direction_
     std::uint32_t intensity, ambient;
 
     std::uint32_t most() const { return ambient + intensity; }  // of sum()
-    // Q8.8, of any channel.
+    // Q8.8.
     std::uint32_t sum(const Normal10& normal) const {
       const std::int32_t dot = (x * normal.x() + y * normal.y() + z * normal.z()) >> 8;
       if (dot <= 0) return ambient;
@@ -43,21 +44,21 @@ class LightRig {
   };
   One one() const {
     const std::int16_t(&d)[3] = direction_[0];
-    return {-d[0], -d[1], -d[2], intensity_[0][0], ambient_[0]};
+    return {-d[0], -d[1], -d[2], intensity_[0][channel_], ambient_[channel_]};
   }
 
  private:
-  std::uint32_t grey_sum(const Normal10& normal, bool flip) const {
-    return simple() && !flip ? one().sum(normal) : grey_sum_of_all(normal, flip);
-  }
-  std::uint32_t grey_sum_of_all(const Normal10& normal, bool flip) const;
+  bool single() const { return count_ == 1 && uniform_; }
+  std::uint32_t sum_of_all(const Normal10& normal, bool flip) const;
   std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
   std::uint32_t turned_length(const Normal10& normal) const;
 
   std::uint32_t count_ = 0;
-  bool grey_ = true;  // ambient and lights have no hue
+  bool grey_ = true;         // ambient and lights have no hue
+  bool one_hue_ = true;      // LightHue::one()
+  std::int8_t channel_ = 0;  // LightHue::channel()
+  bool uniform_ = true;      // the transform only turns and scales evenly
   Slice<const ReachRecord> reaches_;
-  bool uniform_ = true;                    // the transform only turns and scales evenly
   std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
   std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform
   std::uint16_t intensity_[kMaxLights][3];
