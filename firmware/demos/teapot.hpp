@@ -10,15 +10,10 @@ namespace spanline::demos {
 
 void pose_teapot(std::uint32_t frame, const Shot& shot, const Moving& moving);
 
-inline constexpr Layouts::Layout kTeapotLarge{{&teapot_scene::scene, &teapot_scene::camera, &teapot_scene::kTarget,
-                                               teapot_scene::kOrigins, teapot_scene::kWidth, teapot_scene::kHeight},
-                                              {.facets = 576,
-                                               .vertices = 530,
-                                               .polygons = 80,
-                                               .edges = 40,
-                                               .segments = 80,
-                                               .implied = 8,
-                                               .scan_out = ScanPolicy::tiles}};
+inline constexpr Layouts::Layout kTeapotLarge{
+    {&teapot_scene::scene, &teapot_scene::camera, &teapot_scene::kTarget, teapot_scene::kOrigins, teapot_scene::kWidth,
+     teapot_scene::kHeight},
+    {.facets = 992, .vertices = 530, .edges = 80, .walker = Walker::edges, .scan_out = ScanPolicy::tiles}};
 
 inline constexpr Layouts teapot{
     "teapot",
@@ -30,13 +25,6 @@ inline constexpr Layouts teapot{
      kTeapotLarge.budget},
     {{&teapot_small_scene::scene, &teapot_small_scene::camera, &teapot_small_scene::kTarget,
       teapot_small_scene::kOrigins, teapot_small_scene::kWidth, teapot_small_scene::kHeight},
-     {.facets = 512,
-      .vertices = 530,
-      .polygons = 72,
-      .edges = 32,
-      .segments = 72,
-      .samples = 48,
-      .implied = 8,
-      .scan_out = ScanPolicy::tiles}}};
+     {.facets = 992, .vertices = 530, .edges = 68, .walker = Walker::edges, .scan_out = ScanPolicy::tiles}}};
 
 }  // namespace spanline::demos

@@ -40,6 +40,7 @@ Status draw_lines(const demos::Demo& demo, const demos::Stage& stage, const Engi
 Status draw_surfaces(const demos::Demo& demo, const demos::Stage& stage, const EngineOptions& given, Picture& picture) {
   EngineOptions options = given;
   options.pools = pools_of(demo.budget);
+  options.walker = demo.budget.walker;
   Rendering rendering;
   const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
   picture = std::move(rendering.picture);

@@ -106,6 +106,13 @@ std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
   return std::make_unique<FrameEngine<kPlain>>(options);
 }
 
+std::unique_ptr<Engine> make_edge_engine(const EngineOptions& options) {
+  constexpr FrameOptions kPlain{.walker = Walker::edges};
+  constexpr FrameOptions kObserved{.statistics = true, .taps = true, .walker = Walker::edges};
+  if (options.observe) return std::make_unique<FrameEngine<kObserved>>(options);
+  return std::make_unique<FrameEngine<kPlain>>(options);
+}
+
 template <Comparator kComparator>
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
   if (options.surface == Surface::points) return make_engine<kComparator, Walker::segments, true>(options);
@@ -116,6 +123,7 @@ std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
 }  // namespace
 
 std::unique_ptr<Engine> Engine::make(const EngineOptions& options) {
+  if (options.walker == Walker::edges) return make_edge_engine(options);
   return options.comparator == Comparator::plane ? make_engine<Comparator::plane>(options)
                                                  : make_engine<Comparator::midpoint>(options);
 }

@@ -26,7 +26,7 @@ struct EngineOptions {
   std::uint16_t width = 320, height = 240;  // px
   PixelFormat format = PixelFormat::rgb565;
   Comparator comparator = Comparator::plane;
-  Walker walker = Walker::segments;  // both: the edge walker where it can; never edges
+  Walker walker = Walker::segments;  // both: the edge walker where it can; edges: for scenes of meshes
   Surface surface = Surface::dice;   // points: scenes with layers are refused
   std::uint16_t bands = 1;           // at least that many equal ones
   PoolSizes pools;

@@ -32,12 +32,17 @@ struct Extent {
   static void note_layers(void* context, const LayeredSpan& layers) { note(context, layers.nearest()); }
 };
 
+constexpr FrameOptions observed(FrameOptions options) {
+  options.statistics = options.taps = true;
+  return options;
+}
+
 template <const Layouts& kDemo, Screen kScreen>
 void check_every_frame(std::uint32_t loop) {
   constexpr Demo kFramed = kDemo.framed_for(kScreen);
-  static FrameMemory<budget_for(kFramed, kScreen)> memory;
-  constexpr FrameOptions kOptions{
-      .statistics = true, .taps = true, .patches = true, .layers = kFramed.budget.layers != 0};
+  constexpr Budget kBudget = budget_for(kFramed, kScreen);
+  static FrameMemory<kBudget> memory;
+  constexpr FrameOptions kOptions = observed(options_for(kBudget));
   Frame<kOptions> frame(memory.storage());
   Extent extent;
   frame.set_tap({&extent, Extent::note, Extent::note_layers});

@@ -26,7 +26,7 @@ inline constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, Pi
     kMono{128, 64, PixelFormat::mono1};
 
 inline constexpr Picture kPictures[] = {
-    {"teapot-wide-0", demos::teapot, 0, kWide, 0xde26199c},
+    {"teapot-wide-0", demos::teapot, 0, kWide, 0x1fb4566f},
     {"teapot-oled-100", demos::teapot, 100, kOled, 0xff60ae3a},
     {"teapot-mono-20", demos::teapot, 20, kMono, 0x84723bc3},
     {"cubes-square-90", demos::cubes, 90, kSquare, 0x7f1227a8},

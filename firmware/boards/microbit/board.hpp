@@ -9,8 +9,20 @@ constexpr std::uint16_t at_most(std::uint16_t asked, std::uint16_t most) { retur
 
 class Board : public EmulatedBoard<128, 64, PixelFormat::grey4> {
  public:
-  // Pools for 16 KB, stack included: short bands, no vertex kept, what one line needs. The picture stays the same.
+  // Pools for 16 KB, stack included. The picture stays the same.
   static constexpr Budget fit(const Budget& asked) {
+    return asked.walker == Walker::edges ? few_looks(asked) : few_blocks(asked);
+  }
+
+ private:
+  static constexpr Budget few_looks(const Budget& asked) {
+    Budget budget = asked;
+    budget.looks = 31;
+    budget.planes = at_most(asked.planes, 15);
+    return budget;
+  }
+  // Short bands, no vertex kept, what one line needs.
+  static constexpr Budget few_blocks(const Budget& asked) {
     Budget budget = asked;
     budget.band_lines = 16;
     budget.vertices = 0;
