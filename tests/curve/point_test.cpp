@@ -204,6 +204,60 @@ TEST(Points, APatchThatIsACurveIsCutAlongItAlone) {
   }
 }
 
+// The ground from behind the eye to the horizon, as one patch, its depth along one direction of it or slantwise: no
+// pixel below the horizon's haze is left out.
+TEST(Points, TheGroundReachesToTheFeet) {
+  PatchView view = random_view(1, 1, 8);
+  constexpr std::int32_t kDepth = 1 << 27, kFeet = kDepth / 400;  // w at the screen's last line
+  for (const bool slant : {false, true}) {
+    ClipPatch patch{};
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const int across = slant ? i - j : 2 * j - 3, along = slant ? i + j - 3 : 2 * i - 3;
+        patch.at[i][j] = {kDepth / 3 * across / 2, kFeet / kGuardPx * 120, kDepth / 3 * along / 2};
+      }
+    }
+    view.projection.near_w = kFeet / 4;
+    PieceCutter cutter(patch, view.projection, all_of(kPatchScreen), false);
+    std::set<std::pair<int, int>> hit;
+    const auto note = [&](std::uint32_t, const PointPixel& p) { hit.insert({p.x, p.y}); };
+    for (ScreenPiece piece; cutter.next(piece);) {
+      const std::vector<Row> rows = rows_of(piece);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const PointPixel& p : rows[i]) note(0, p);
+        if (i > 0) fill_diamonds(rows[i - 1].data(), rows[i].data(), piece.columns, note);
+      }
+    }
+    for (int y = 124; y < 240; ++y) {
+      for (int x = 0; x < 320; ++x) ASSERT_EQ(hit.count({x, y}), 1u) << slant << ": " << x << ", " << y;
+    }
+    EXPECT_LE(cutter.looks(), slant ? 60'000u : 8'000u);
+  }
+}
+
+// The worst there is: control points anywhere, before the eye, behind it and beside it, any near plane.
+TEST(Points, CutsAreBounded) {
+  oracle::Random random(3);
+  PatchView view = random_view(1, 1, 8);
+  std::uint32_t most = 0;
+  for (std::uint64_t i = scene_count(60, 2'000); i > 0; --i) {
+    view.projection.near_w = 1 << random.below(28);
+    const int aside = 1 << random.between(4, 30), deep = 1 << random.between(4, 30);
+    ClipPatch patch;
+    for (auto& row : patch.at) {
+      for (ClipPoint& p : row) {
+        p = {random.between(-aside, aside), random.between(-aside, aside), random.between(-deep, deep)};
+      }
+    }
+    PieceCutter cutter(patch, view.projection, all_of(kPatchScreen), false);
+    for (ScreenPiece piece; cutter.next(piece);) {
+    }
+    most = std::max(most, cutter.looks());
+  }
+  EXPECT_LE(most, 1'500'000u);
+  RecordProperty("looks", std::to_string(most));
+}
+
 // Points stepped to over the pixels that they lie in, a patch at a time, the whole picture being one band.
 TEST(Points, TheTeapotTakesNoMoreThanTwoAndAHalfPointsAPixel) {
   const auto patches = teapot_patches();

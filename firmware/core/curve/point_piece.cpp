@@ -228,7 +228,7 @@ bool PieceCutter::next(ScreenPiece& out) {
 PieceCutter::Verdict PieceCutter::look(ScreenPiece& out) {
   ++looks_;
   const Verdict rest = cuts_ == kMostCuts ? Verdict::nothing : Verdict::cut;
-  const std::int32_t nearest = projection_.near_w;
+  const std::int32_t nearest = projection_.near_w > kNearest ? projection_.near_w : kNearest;
   std::int32_t low = INT32_MAX, high = INT32_MIN;
   for (const auto& row : net_.at) {
     for (const ClipPoint& p : row) {
@@ -238,14 +238,15 @@ PieceCutter::Verdict PieceCutter::look(ScreenPiece& out) {
   }
   if (high < nearest) return Verdict::nothing;
   cut_u_ = deeper_along_u(net_);
-  if (low < nearest / 2 + 1) return aside() ? Verdict::nothing : rest;
+  const Verdict less_deep = (cut_u_ ? u_ : v_).level >= kMostDepthCuts ? Verdict::nothing : rest;
+  if (low < nearest / 2 + 1) return aside() ? Verdict::nothing : less_deep;
   const bool inside = project(out);
   const Extent extent(out);
   if (!extent.meets(window_)) return Verdict::nothing;
   count_steps(out);
   if (inside && out.columns <= kPieceSteps && out.rows <= kPieceSteps) {
     if (high - low > low / 8) {
-      if (!extent.is_speck()) return rest;
+      if (!extent.is_speck()) return less_deep;
       straighten(out.at[kPointDepth]);
       return Verdict::piece;
     }

@@ -60,7 +60,8 @@ inline constexpr std::uint32_t kMostPieceSteps = 24;
 inline constexpr std::int32_t kLongestStep = 63 << (kPointBits - 6);
 
 // Cuts a patch and yields the pieces of it that may cover a pixel of the window. Which pieces there are does not
-// depend on the window. Parts nearer than half the near plane, and what kMostCuts cuts leave too long, are left out.
+// depend on the window. Parts nearer than half the near plane (and than a 2048th of a world unit), what kMostCuts cuts
+// leave too long, and what kMostDepthCuts leave too deep, are left out.
 class PieceCutter {
  public:
   // `patch` and `projection` must outlive the cutter.
@@ -73,6 +74,11 @@ class PieceCutter {
 
  private:
   static constexpr std::uint32_t kMostCuts = 32;
+  // Halvings of either direction for what is too deep: where a patch crosses the near plane at a slant to both its
+  // directions, pieces along the crossing are as many as that allows; more than eight to a pixel would be for nothing.
+  // What lies nearer than a 500th of the patch's own depth may be lost by it.
+  static constexpr std::uint32_t kMostDepthCuts = 12;
+  static constexpr std::int32_t kNearest = 64;  // Q16.16: nearer, rounding would be as much as what is to be cut
   enum class Verdict : std::uint8_t { nothing, cut, piece };
 
   Verdict look(ScreenPiece& out);
