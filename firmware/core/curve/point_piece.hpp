@@ -23,41 +23,9 @@
 #include <cstdint>
 
 #include "core/curve/dice.hpp"
+#include "core/curve/screen_piece.hpp"
 
 namespace spanline {
-
-// The pixels that are worked for: columns [0, width) of the lines [top, bottom).
-struct PointWindow {
-  std::int32_t top, bottom, width;
-};
-
-// Coordinates of a piece: x and y are Q13.19 px, depth is Q16.10.
-inline constexpr int kPointBits = 19;
-inline constexpr int kPointDepthBits = 10;
-enum PointAxis : int { kPointX, kPointY, kPointDepth, kPointAxes };
-
-// A direction of the patch: the piece is the part [index, index + 1] / 2^level of it.
-struct PieceRange {
-  std::uint32_t index = 0, level = 0;
-};
-
-// Which side of the patch is seen, the one from which u and v turn counter-clockwise being its front.
-enum class PieceSide : std::uint8_t { front, back, mixed };
-
-struct ScreenPiece {
-  std::int32_t at[kPointAxes][4][4];  // control points: rows i, points j of a row
-  std::uint32_t rows, columns;        // steps, 1 … kMostPieceSteps
-  PieceRange u, v;
-  bool turned;     // rows run along v, not along u
-  PieceSide side;  // mixed also where it is not known
-};
-
-// A piece that would need more is cut.
-inline constexpr std::uint32_t kPieceSteps = 16;
-// What bending the net to the projected patch's tangents may make of that.
-inline constexpr std::uint32_t kMostPieceSteps = 24;
-// 63/64 px: the rest is for roundings, and for what neighbouring pieces may differ where they meet.
-inline constexpr std::int32_t kLongestStep = 63 << (kPointBits - 6);
 
 // Cuts a patch and yields the pieces of it that may cover a pixel of the window. Which pieces there are does not
 // depend on the window. Parts nearer than half the near plane (and than a 2048th of a world unit), what kMostCuts cuts
