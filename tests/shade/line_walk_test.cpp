@@ -59,8 +59,14 @@ WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smo
       std::uint16_t color = line.words[face];
       if (smooth && face != 0) {
         const FaceLook& look = line.looks[line.slots[face]];
-        if (look.face != face || look.material != kKnown) return WalkStop::look;
-        color = colors[look.plane.at(static_cast<std::uint32_t>(walk.left), y) >> 26];
+        if (look.face != face) return WalkStop::look;
+        if (look.material == FaceLook::kNoMaterial) {
+          color = look.color();
+        } else if (look.material == kKnown) {
+          color = colors[look.plane.at(static_cast<std::uint32_t>(walk.left), y) >> 26];
+        } else {
+          return WalkStop::look;
+        }
       }
       reinterpret_cast<std::uint16_t*>(walk.pixels)[walk.left] = color;
     }
@@ -117,12 +123,12 @@ Line fast, slow;
 void make_looks(Random& random, Line& line) {
   for (std::uint16_t& color : colors) color = static_cast<std::uint16_t>(random.below(0x10000));
   line.slots[0] = 0;
-  line.looks[0] = FaceLook::flat(0);
   for (FaceId face = 1; face <= kFaces; ++face) {
     line.slots[face] = static_cast<std::uint8_t>(face);
     const auto part = [&] { return static_cast<std::uint32_t>(random.next()); };
     line.looks[face] = {{part(), part() >> 6, part() >> 6}, face, kKnown};
-    if (random.percent(5)) line.looks[face].face = 1;
+    if (random.percent(20)) line.looks[face] = FaceLook::flat(static_cast<std::uint16_t>(random.below(0x10000)));
+    line.looks[face].face = random.percent(95) ? face : FaceId{1};
     if (random.percent(5)) line.looks[face].material = 3;
   }
 }

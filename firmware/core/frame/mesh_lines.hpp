@@ -86,6 +86,16 @@ class FaceSlots {
   PoolRef<std::uint8_t> slots_;
 };
 
+// The faces of a group whose material is Gouraud's, the last that a look was made of.
+struct SmoothFaces {
+  FaceId first = 0;
+  std::uint16_t count = 0;
+  std::uint16_t material = 0;
+  const std::uint16_t* corners = nullptr;  // of the first
+  const ScreenXY* points = nullptr;        // by what corners say
+  const Brightness* levels = nullptr;      // likewise
+};
+
 template <bool kTaps>
 class MeshLines {
  public:
@@ -115,6 +125,7 @@ class MeshLines {
   Status check(const SceneView& scene) const;
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
+  FaceLook look_elsewhere(FaceId face);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;
   bool give_up(bool overlaps);
@@ -133,7 +144,7 @@ class MeshLines {
   FaceWords words_;
   FaceSlots slots_;  // in their place where faces may be smooth
   DepthRows rows_;
-  InstanceCursor cursor_;
+  SmoothFaces smooth_faces_;
   EdgeWalker walker_;
   std::uint16_t line_ = 0;  // to be made next
   bool ready_ = false, overlaps_short_ = false;

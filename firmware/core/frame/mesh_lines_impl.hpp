@@ -38,14 +38,12 @@ struct MeshLines<kTaps>::Sink {
       return flat_walk(walk);
     }
   }
-  // Sees to the look of a face, and that the brush knows it; false where it is one colour.
-  bool learn(FaceId face) const {
+  // Sees to the look of a face, and that the brush knows it where it is smooth.
+  void learn(FaceId face) const {
     const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], [this](FaceId f) { return mesh.look_of(f); });
-    if (!look.smooth()) return false;
-    if (!mesh.brush_.knows(face, look)) {
+    if (look.smooth() && !mesh.brush_.knows(face, look)) {
       mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene()));
     }
-    return true;
   }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) {
@@ -58,6 +56,13 @@ struct MeshLines<kTaps>::Sink {
     }
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
+  void rest(std::int32_t left) const {
+    if constexpr (kTaps || kPaint == Paint::any) {
+      if (left < mesh.screen_.width) one(left, mesh.screen_.width, 0);
+    } else {
+      fill_exactly(painter.out(), left, mesh.screen_.width, painter.background());
+    }
+  }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
     if (kPaint != Paint::any && right + kOvershoot <= mesh.screen_.width) {
@@ -68,6 +73,7 @@ struct MeshLines<kTaps>::Sink {
       if (mesh.brush_.knows(face, look)) {
         return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
       }
+      if (look.flat_of(face)) return fill_span(painter.out(), left, right, look.color());
     }
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
@@ -78,9 +84,9 @@ struct MeshLines<kTaps>::Sink {
     if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) {
       return painter.fill(left, right, mesh.words_[face]);
     }
-    const bool smooth = learn(face);
+    learn(face);
     const FaceLook& look = mesh.brush_.look(face);
-    if (!smooth) return painter.fill(left, right, look.color());
+    if (!look.smooth()) return painter.fill(left, right, look.color());
     painter.smooth(left, right, look.plane, mesh.brush_.colors());
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
@@ -117,7 +123,7 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(scene); !status.ok()) return status;
-  cursor_ = InstanceCursor(scene_.scene());
+  smooth_faces_ = {};
   smooth_.clear();
   if (smooth_.on()) {
     slots_[0] = 0;
@@ -149,6 +155,7 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
   const std::uint16_t faces = smooth_.on() ? slots_.capacity() : words_.capacity();
   if (scene.face_count() > faces) return short_of("facets", scene.face_count(), faces);
+  if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
   if (!scene.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   if (smooth_.on()) {
@@ -183,7 +190,24 @@ bool MeshLines<kTaps>::has_hues(const SceneRecord& scene) const {
 // How a face looks in a smooth scene, where its word is not a colour.
 template <bool kTaps>
 FaceLook MeshLines<kTaps>::look_of(FaceId face) {
-  InstanceCursor& at = cursor_;
+  const SmoothFaces& of = smooth_faces_;
+  const std::uint32_t number = std::uint32_t{face} - of.first;
+  if (number >= of.count) [[unlikely]]
+    return look_elsewhere(face);
+  const std::uint16_t* const corner = of.corners + 3 * number;
+  const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
+  const BrightnessPlane plane =
+      brightness_plane({of.points[a], of.points[b], of.points[c]}, {of.levels[a], of.levels[b], of.levels[c]});
+  if ((plane.right | plane.down) != 0) return {plane, 0, of.material};
+  const std::uint16_t* const colors = smooth_.colors(of.material, scene_.scene());
+  brush_.dip(of.material, colors);
+  return FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
+}
+
+// Where it is not one of the faces at hand, which it and its group become unless they are flat.
+template <bool kTaps>
+FaceLook MeshLines<kTaps>::look_elsewhere(FaceId face) {
+  InstanceCursor at(scene_.scene());
   at.to_face(face - 1u);
   const MeshRecord& mesh = at.mesh();
   const std::uint32_t mesh_face = face - 1u - at.first_face();
@@ -192,18 +216,16 @@ FaceLook MeshLines<kTaps>::look_of(FaceId face) {
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
-    const std::uint16_t color = flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform));
-    return FaceLook::flat(color);
+    return FaceLook::flat(flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform)));
   }
-  const std::uint16_t* const corner = mesh.corners.data() + 3 * mesh_face;
-  ScreenXY point[3];
-  Brightness level[3];
-  for (int i = 0; i < 3; ++i) {
-    const std::uint32_t vertex = at.first_vertex() + corner[i] + 1;
-    point[i] = points_[vertex];
-    level[i] = levels_[vertex];
-  }
-  return {brightness_plane(point, level), 0, number};
+  const std::uint32_t vertex = at.first_vertex() + 1;
+  smooth_faces_ = {static_cast<FaceId>(at.first_face() + 1 + group->first_face),
+                   group->face_count,
+                   number,
+                   mesh.corners.data() + 3u * group->first_face,
+                   &points_[vertex],
+                   &levels_[vertex]};
+  return look_of(face);
 }
 
 // The colour of a face drawn flat.
@@ -294,13 +316,15 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
-    painter.fill(0, screen_.width, painter.background());
+    if (screen_.format == PixelFormat::rgb565) {
+      fill_exactly(painter.out(), 0, screen_.width, painter.background());
+    } else {
+      painter.fill(0, screen_.width, painter.background());
+    }
     ++line_;
     return true;
   }
-  if (walker_.is_quiet(line)) {
-    walker_.start_none();
-  } else {
+  if (!walker_.is_quiet(line)) {
     const bool room =
         smooth_.on() ? walker_.start_edges(line, slots_.drawn()) : walker_.start_edges(line, words_.drawn());
     if (!room) return give_up(false);

@@ -24,10 +24,13 @@ struct PatchLines<kTaps>::Sink {
       return true;
     });
   }
-  bool learn(FaceId) const { return false; }
+  void learn(FaceId) const {}
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     report_one(left, right, face);
     paint_cut(left, right, face);
+  }
+  void rest(std::int32_t left) const {
+    if (left < width) one(left, width, 0);
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
@@ -127,6 +130,7 @@ Status PatchLines<kTaps>::begin(const SceneView& scene, const CameraRecord& came
 // What cannot be drawn here.
 template <bool kTaps>
 Status PatchLines<kTaps>::check() const {
+  if (walker_.edge_capacity() == 0) return {Code::pool_exhausted, "edges", "", 0, 0, 1, 0};
   if (!scene_.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene_.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {

@@ -50,16 +50,20 @@ template <int kBits, std::int32_t kRise>
   }
   const std::int32_t along_x = rise1 * dy2 - rise2 * dy1;
   const std::int32_t along_y = rise2 * dx1 - rise1 * dx2;
-  // along / area * 2^(kBits + 4 + coarse), where 1 / area = inverse * 2^up / 2^61. `along` goes up before the product
-  // and comes down after it, so that its high half has all the bits that count.
+  // along / area * 2^(kBits + 4 + coarse), where 1 / area = inverse * 2^up / 2^61: `along` goes up before the product,
+  // of which the high half is taken, and comes down after it. Of a gradient below kSteepest it fits if that is by 4.
   const int up = std::countl_zero(static_cast<std::uint32_t>(area)) - 1;
   const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(area) << up));
-  constexpr std::int32_t kFew = 1 << 15;  // bits that count anyway, so that `down` stays below 32
-  const int room =
-      std::countl_zero(static_cast<std::uint32_t>((along_x ^ along_x >> 31) | (along_y ^ along_y >> 31) | kFew)) - 1;
-  const int down = 61 - 32 - 4 - kBits - coarse - up + room;
-  if (down < 4) return false;  // may reach 2^30 >> 3
   static_assert(kSteepest == (1 << 30) >> 4);
+  constexpr int kDown = 4, kLeastUp = 31 - (2 * 12 + 2);  // areas are 2^25 at most
+  int room = up + coarse - (61 - 32 - 4 - kBits - kDown), down = kDown;
+  if (kLeastUp < 61 - 32 - 4 - kBits - kDown && room < 0) {
+    down -= room;
+    room = 0;
+  }
+  constexpr std::int32_t kFew = 1 << 15;  // bits that count anyway: specks are left out
+  const auto either = static_cast<std::uint32_t>((along_x ^ along_x >> 31) | (along_y ^ along_y >> 31) | kFew);
+  if (either >> (31 - room) != 0) return false;
   out.right = shift_round(mul_high(along_x * (1 << room), inverse), down);
   out.down = shift_round(mul_high(along_y * (1 << room), inverse), down);
   return true;

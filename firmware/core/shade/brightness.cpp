@@ -1,24 +1,17 @@
 #include "core/shade/brightness.hpp"
 
-#include "core/geom/gradient.hpp"
 #include "core/shade/light_hue.hpp"
 #include "core/shade/pixel.hpp"
 
 namespace spanline {
 
-namespace {
-
-// Gradients are made with fewer bits than the plane has, which leaves room for the steps of slivers.
-constexpr int kBits = 16;
-constexpr int kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBits;
-
-// By exact divisions, for large and steep triangles; with the bits of a gradient.
-BrightnessPlane exact_plane(const ScreenXY (&at)[3], std::uint32_t start, std::int64_t rise1, std::int64_t rise2) {
+BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
+                                         std::int32_t rise2) {
   const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
   const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
   const std::int64_t area = dx1 * dy2 - dx2 * dy1;
   if (area == 0) return {start, 0, 0};  // covers no pixel
-  const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << kBits);
+  const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << kBrightnessBits);
   const std::int64_t divisor = area < 0 ? -area : area;
   // Rises are below 2^8, distances up to 2^16: below 2^46.
   const std::int64_t right = round_div((rise1 * dy2 - rise2 * dy1) * scale, divisor);
@@ -28,25 +21,9 @@ BrightnessPlane exact_plane(const ScreenXY (&at)[3], std::uint32_t start, std::i
           static_cast<std::uint32_t>(down)};
 }
 
-}  // namespace
-
-BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]) {
-  const std::int32_t rise1 = corner[1] - corner[0], rise2 = corner[2] - corner[0];
-  const std::uint32_t half = 1u << (kBrightnessStep + kBits - 1);
-  const std::uint32_t start = (std::uint32_t{corner[0]} << kBits) + half;
-  Gradient gradient;
-  const BrightnessPlane plane =
-      small_gradient<kBits, kFullBrightness>(at, rise1, rise2, gradient)
-          ? BrightnessPlane{at_origin(start, at[0], gradient), static_cast<std::uint32_t>(gradient.right),
-                            static_cast<std::uint32_t>(gradient.down)}
-          : exact_plane(at, start, rise1, rise2);
-  return {plane.at_zero << kToPlane, plane.right << kToPlane, plane.down << kToPlane};
-}
-
 void SmoothCache::clear() {
   if (!on()) return;
   for (std::uint32_t i = 0; i <= looks_.capacity(); ++i) looks_[i].face = 0;
-  looks_[0].material = FaceLook::kNoMaterial;
   oldest_ = 0;
   for (std::uint32_t i = 0; i <= table_mask_; ++i) tables_[i].material = FaceLook::kNoMaterial;
 }

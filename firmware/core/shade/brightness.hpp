@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/base/pool.hpp"
+#include "core/geom/gradient.hpp"
 #include "core/geom/screen.hpp"
 #include "core/scene/format.hpp"
 #include "core/vsg/active_edge.hpp"
@@ -25,8 +26,28 @@ struct BrightnessPlane {
   static constexpr std::uint32_t entry(std::uint32_t brightness) { return brightness >> kFraction; }
 };
 
+namespace detail {
+// Gradients are made with fewer bits than the plane has, which leaves room for the steps of slivers.
+inline constexpr int kBrightnessBits = 16;
+// By exact divisions, for large and steep triangles; `start` and the gradients with these bits.
+BrightnessPlane exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1, std::int32_t rise2);
+}  // namespace detail
+
 // The plane through three corners; inside the triangle it comes round neither end of the table.
-BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]);
+inline BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]) {
+  constexpr int kBits = detail::kBrightnessBits, kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBits;
+  const std::int32_t rise1 = corner[1] - corner[0], rise2 = corner[2] - corner[0];
+  const std::uint32_t start = (std::uint32_t{corner[0]} << kBits) + (1u << (kBrightnessStep + kBits - 1));
+  Gradient gradient;
+  BrightnessPlane plane;
+  if (small_gradient<kBits, kFullBrightness>(at, rise1, rise2, gradient)) [[likely]] {
+    plane = {at_origin(start, at[0], gradient), static_cast<std::uint32_t>(gradient.right),
+             static_cast<std::uint32_t>(gradient.down)};
+  } else {
+    plane = detail::exact_brightness(at, start, rise1, rise2);
+  }
+  return {plane.at_zero << kToPlane, plane.right << kToPlane, plane.down << kToPlane};
+}
 
 // The colours of one material, darkest first, as Painter::fill takes them.
 struct ColorTable {
@@ -46,6 +67,7 @@ struct FaceLook {
   static constexpr std::uint16_t kNoMaterial = 0xffff;
   static constexpr FaceLook flat(std::uint16_t color) { return {{0, color, 0}, 0, kNoMaterial}; }
   bool smooth() const { return material != kNoMaterial; }
+  bool flat_of(FaceId f) const { return face == f && !smooth(); }
   std::uint16_t color() const { return static_cast<std::uint16_t>(plane.right); }  // where not smooth
 };
 static_assert(sizeof(FaceLook) == 16);
@@ -72,7 +94,7 @@ class SmoothCache {
   }
 
   bool on() const { return looks_.capacity() != 0; }
-  const FaceLook* looks() const { return on() ? &looks_[0] : nullptr; }  // by the slots of faces
+  FaceLook* looks() const { return on() ? &looks_[0] : nullptr; }  // by the slots of faces
 
   // At the beginning of a frame.
   void clear();

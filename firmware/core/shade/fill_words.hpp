@@ -78,6 +78,20 @@ inline void fill_span(std::uint8_t* line, std::int32_t left, std::int32_t right,
   } while (reinterpret_cast<HalfPixels*>(word) < end);
 }
 
+// The same, and not a pixel more.
+inline void fill_exactly(std::uint8_t* line, std::int32_t left, std::int32_t right, std::uint32_t color) {
+  auto* at = reinterpret_cast<HalfPixels*>(line) + left;
+  auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
+  const auto pixel = static_cast<std::uint16_t>(color);
+  if (end - at >= 18) {
+    if ((left & 1) != 0) *at++ = pixel;
+    auto* const last = reinterpret_cast<HalfPixels*>(line) + (right & ~1);
+    fill_words(reinterpret_cast<WordPixels*>(at), reinterpret_cast<WordPixels*>(last), color << 16 | color);
+    at = last;
+  }
+  while (at != end) *at++ = pixel;
+}
+
 // Fills the RGB565 pixels [left, right) of a line that begins on a word with a triangle's brightness in a material's
 // colours, two at a time, and up to kOvershoot more.
 inline void smooth_span(std::uint8_t* line, std::int32_t left, std::int32_t right, const BrightnessPlane& plane,

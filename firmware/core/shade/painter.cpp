@@ -11,21 +11,6 @@ namespace {
 
 constexpr std::uint32_t kAllSamples = 16;  // of a pixel
 
-void fill_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, std::uint16_t pixel) {
-  const std::uint32_t pair = std::uint32_t{pixel} << 16 | pixel;
-  auto* at = reinterpret_cast<HalfPixels*>(line) + left;
-  auto* const end = reinterpret_cast<HalfPixels*>(line) + right;
-  if ((left & 1u) != 0) *at++ = pixel;
-  if (end - at >= 16) {
-    auto* const words = reinterpret_cast<WordPixels*>(at);
-    const std::ptrdiff_t count = (end - at) / 2;
-    fill_words(words, words + count, pair);
-    at += 2 * count;
-  }
-  for (; end - at >= 2; at += 2) *reinterpret_cast<WordPixels*>(at) = pair;
-  if (at != end) *at = pixel;
-}
-
 // What smooth_span() fills, and no pixel more.
 void smooth_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
                   std::uint32_t y, const std::uint16_t* colors) {
@@ -78,7 +63,9 @@ void Painter::span(const VisibleSpan& span) {
 }
 
 void Painter::fill(std::uint32_t left, std::uint32_t right, std::uint16_t payload) {
-  if (screen_.format == PixelFormat::rgb565) return fill_pairs(out_, left, right, payload);
+  if (screen_.format == PixelFormat::rgb565) {
+    return fill_exactly(out_, static_cast<std::int32_t>(left), static_cast<std::int32_t>(right), payload);
+  }
   for (std::uint32_t x = left; x < right; ++x) put_grey(x, payload);
 }
 

@@ -9,12 +9,12 @@ namespace spanline {
 class SmoothBrush {
  public:
   SmoothBrush() = default;
-  // slots[face] is the number of the face's look; slots[0] that of a look that is no face's.
-  SmoothBrush(const FaceLook* looks, const std::uint8_t* slots) : looks_(looks), slots_(slots) {}
+  // slots[face] is the number of the face's look. looks[0] is the background's, and slots[0] is 0.
+  SmoothBrush(FaceLook* looks, const std::uint8_t* slots) : looks_(looks), slots_(slots) {}
 
   void begin_line(std::uint16_t line, std::uint16_t background) {
     line_ = line;
-    background_ = background;
+    looks_[0] = FaceLook::flat(background);
   }
   // `colors` are those that were looked up last: no other material's take their place.
   void dip(std::uint16_t material, const std::uint16_t* colors) {
@@ -28,18 +28,16 @@ class SmoothBrush {
     return (look.face | std::uint32_t{look.material} << 16) == (face | material_);
   }
   std::uint32_t line() const { return line_; }
-  std::uint16_t background() const { return static_cast<std::uint16_t>(background_); }
   const std::uint16_t* colors() const { return colors_; }
 
  private:
   static constexpr std::uint32_t kDry = std::uint32_t{FaceLook::kNoMaterial - 1u} << 16;
 
-  const FaceLook* looks_ = nullptr;
+  FaceLook* looks_ = nullptr;
   const std::uint8_t* slots_ = nullptr;
   std::uint32_t material_ = kDry;  // in the upper half
   std::uint32_t line_ = 0;
   const std::uint16_t* colors_ = nullptr;
-  std::uint32_t background_ = 0;
 };
 
 }  // namespace spanline

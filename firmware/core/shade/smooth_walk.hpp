@@ -10,13 +10,12 @@ namespace spanline {
 inline WalkStop smooth_walk_plain(LineWalk& walk) {
   const auto paint = [pixels = walk.pixels, brush = *static_cast<const SmoothBrush*>(walk.painter)](
                          std::int32_t left, std::int32_t right, FaceId face) {
-    if (face == 0) {
-      fill_span(pixels, left, right, brush.background());
+    const FaceLook& look = brush.look(face);
+    if (!brush.knows(face, look)) [[unlikely]] {
+      if (!look.flat_of(face)) return false;
+      fill_span(pixels, left, right, look.color());
       return true;
     }
-    const FaceLook& look = brush.look(face);
-    if (!brush.knows(face, look)) [[unlikely]]
-      return false;
     smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
     return true;
   };

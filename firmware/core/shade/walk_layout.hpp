@@ -20,8 +20,10 @@ constexpr bool walk_layout_holds() {
   static_assert(static_cast<int>(WalkStop::side) == 0 && static_cast<int>(WalkStop::front) == 1 &&
                 static_cast<int>(WalkStop::tall) == 2 && static_cast<int>(WalkStop::look) == 3);
   static_assert(sizeof(Look) == 16 && offsetof(Look, plane) == 0 && offsetof(Look, face) == 12);
+  static_assert(offsetof(BrightnessPlane, right) == 4, "a flat look's colour");
+  static_assert(Look::kNoMaterial == 0xffff);
   static_assert(BrightnessPlane::kFraction == 26 && offsetof(BrightnessPlane, down) == 8);
-  static_assert(sizeof(Brush) == 24, "looks, slots, material, line, colours, background");
+  static_assert(sizeof(Brush) == 20, "looks, slots, material, line, colours");
   return true;
 }
 

@@ -157,13 +157,13 @@ asm(R"(
     .endm
 
     .macro smooth_tail
-60: mov r0, r10
-    uxth r0, r0
-    cmp r0, #0
+60: mvns r6, r6                     @ whose look r5 is
+    mvns r4, r4
+    uxth r4, r4
+    cmp r4, r6
     beq 61f
     b 33b
-61: mov r4, r12
-    ldrh r4, [r4, #20]
+61: ldrh r4, [r5, #4]               @ one colour
     fill_span
 9:  b 3b
     long_fill

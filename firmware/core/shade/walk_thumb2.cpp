@@ -88,10 +88,11 @@ asm(R"(
     cmp r0, r3
     blo 7b
     b 9f
-8:  uxth lr, r9
-    cmp lr, #0
+8:  uxth r5, r9
+    movt r5, #0xffff
+    cmp r5, lr
     bne \unknown
-    ldrh r4, [r12, #20]
+    ldrh r4, [r4, #4]               @ one colour
     fill_span
     .endm
 

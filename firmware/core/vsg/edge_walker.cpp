@@ -10,7 +10,11 @@ void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
 
 void EdgeWalker::begin() {
   planes_.clear();
-  alive_ = most_ = 0;
+  CHECK(capacity_ >= kSentinels);
+  alive_ = 0;
+  most_ = kSentinels;
+  overlap_.clear_overflow();
+  start_none();
 }
 
 // What the vertices of one instance start their edges from.
@@ -32,15 +36,9 @@ EdgeWalker::Fans<Word> EdgeWalker::fans_around(std::uint32_t vertex, const Drawn
   cursor_.to_vertex(vertex - 1);
   const MeshRecord& mesh = cursor_.mesh();
   const std::uint32_t first = cursor_.first_vertex() + 1, first_id = cursor_.first_face() + 1;
-  return {mesh.fan_starts.data(),
-          mesh.fans.data(),
-          &points_[first],
-          drawn.words + first_id,
-          drawn.not_drawn,
-          first_id,
-          first,
-          mesh.positions.size(),
-          &edges_[0][edges_[0].capacity()]};
+  return {mesh.fan_starts.data(), mesh.fans.data(), &points_[first], drawn.words + first_id,
+          drawn.not_drawn,        first_id,         first,           mesh.positions.size(),
+          now_ + capacity_};
 }
 
 void EdgeWalker::end_start(const Started& started) {
@@ -51,7 +49,7 @@ void EdgeWalker::end_start(const Started& started) {
 
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
-  Started started{&edges_[0][alive_ + 1]};
+  Started started{now_ + alive_ + 1};
   Fans<Word> fans;
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
     if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);

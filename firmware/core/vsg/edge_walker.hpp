@@ -17,7 +17,8 @@ struct EdgeStorage {
   PoolRef<ScreenXY> points;        // a vertex each
   PoolRef<std::uint16_t> links;    // likewise
   PoolRef<std::uint16_t> buckets;  // a line each
-  PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's: kMostEdges are used
+  PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's: one at least,
+                                   // kMostEdges are used
   PoolRef<CachedPlane> planes;     // any number
 };
 
@@ -38,11 +39,12 @@ class EdgeWalker {
   EdgeWalker(const EdgeStorage& storage, const Screen& screen)
       : buckets_(storage.buckets, storage.links, storage.points),
         points_(storage.points),
-        edges_{storage.edges[0], storage.edges[1]},
+        now_(&storage.edges[0][0]),
+        next_(&storage.edges[1][0]),
+        capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
         planes_(storage.planes),
-        screen_(screen) {
-    for (PoolRef<ActiveEdge>& edges : edges_) edges.limit(kMostEdges);
-  }
+        screen_(screen),
+        side_(LineWalk::side_of(screen.width)) {}
 
   // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
   // before faces are filed.
@@ -52,19 +54,20 @@ class EdgeWalker {
 
   // Whether nothing of `line` is covered.
   bool is_blank(std::int32_t line) const { return alive_ == 0 && is_quiet(line); }
-  // Whether no edge begins on `line`, which is then to be said instead of start_edges().
+  // Whether no edge begins on `line`, which needs no start_edges() then.
   bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
-  void start_none() { edges_[0][alive_].x = edges_[0][alive_ + 1].x = ActiveEdge::kNever; }
-  // Starts the edges that begin on `line`; to be called for every line from top on. The faces to be drawn are those
+  // Starts the edges that begin on `line`; to be called for every line from top on that is
+  // not quiet. The faces to be drawn are those
   // that are run counter-clockwise on the screen. False where there is no room for an edge.
   template <typename Word>
   bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
   // The visible spans of the line. sink.begin(LineWalk&) sets what the painter has in it. sink.run(LineWalk&) is
-  // walk_on() with a paint of its own; sink.learn(FaceId) is said where it stops at a look; sink.one(left, right,
-  // FaceId) takes the span if that is false, and those at the line's right end; sink.front(left, right, FaceId, ramp)
-  // those where others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces
-  // cover a pixel than the overlap set holds: from there on spans of several faces are left out.
+  // walk_on() with a paint of its own; where it stops at a look, sink.learn(FaceId) sees to it that it does not again.
+  // sink.one(left, right, FaceId) takes the spans at the line's right end, sink.rest(left) all of them where nothing
+  // covers it; sink.front(left, right, FaceId, ramp) those where others are behind. plane(FaceId) makes a face's depth
+  // plane. Steps the edges. False where more faces cover a pixel than the overlap set holds: from there on spans of
+  // several faces are left out.
   template <typename Sink, typename Plane>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane) {
     return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
@@ -85,7 +88,7 @@ class EdgeWalker {
   void forget_planes() { planes_.clear(); }
 
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
-  std::uint32_t edge_capacity() const { return edges_[0].capacity(); }
+  std::uint32_t edge_capacity() const { return capacity_; }
 
  private:
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
@@ -116,6 +119,13 @@ class EdgeWalker {
   template <typename Word>
   static ActiveEdge* find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out);
   bool run_again(ActiveEdge& edge, std::int32_t line);
+  void start_none() { now_[alive_].x = now_[alive_ + 1].x = ActiveEdge::kNever; }
+  template <typename Sink, typename Plane, typename Again>
+  [[gnu::noinline]] void go_on(WalkStop stop, std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
+                               const Again& again);
+  template <typename Sink, typename Plane, typename Again>
+  [[gnu::noinline]] void cut_off(std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
+                                 const Again& again);
   template <typename Sink, typename Plane>
   [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
                                     const Plane& plane);
@@ -123,17 +133,20 @@ class EdgeWalker {
   InstanceCursor cursor_;
   VertexBuckets buckets_;
   PoolRef<ScreenXY> points_;
-  PoolRef<ActiveEdge> edges_[2];  // [1 … alive] and the sentinel; [alive + 2 … ] those that begin, and theirs
+  ActiveEdge* now_ = nullptr;   // the line's edges: those alive and a sentinel, those that begin and theirs
+  ActiveEdge* next_ = nullptr;  // the next line's
+  std::uint32_t capacity_ = 0;  // of both, and one more for the sentinel
   PlaneCache planes_;
   Screen screen_;
+  std::int32_t side_ = 0;
   OverlapSet overlap_;
   std::uint32_t alive_ = 0, most_ = 0;
 };
 template <typename Feed>
 bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
   const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
-  Started started{&edges_[0][alive_ + 1]};
-  const ActiveEdge* const last = &edges_[0][edges_[0].capacity()];  // for the sentinel
+  Started started{now_ + alive_ + 1};
+  const ActiveEdge* const last = now_ + capacity_;  // for the sentinel
   bool room = true;
   feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
     if (bottom.y <= lowest || begins == ends) return;
@@ -159,8 +172,8 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
   CoverKey key = walk.key;
   const ActiveEdge *edge = walk.alive(), *fresh = walk.begun();
   const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
-  while (edge != &edges_[0][0] && at_left(edge[-1])) key -= (--edge)->toggle;
-  while (fresh != &edges_[0][alive_ + 1] && at_left(fresh[-1])) key -= (--fresh)->toggle;
+  while (edge != now_ && at_left(edge[-1])) key -= (--edge)->toggle;
+  while (fresh != now_ + alive_ + 1 && at_left(fresh[-1])) key -= (--fresh)->toggle;
   if (key < kTwoFaces) overlap_.set(only_face(key));
   for (; edge != walk.alive(); ++edge) overlap_.toggle(*edge);
   for (; fresh != walk.begun(); ++fresh) overlap_.toggle(*fresh);
@@ -183,38 +196,50 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
 
 template <typename Sink, typename Plane, typename Again>
 bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
-  overlap_.clear_overflow();
   LineWalk walk;
-  walk.edge = &edges_[0][0];
-  walk.other = walk.edge + alive_ + 1;
-  walk.begin = walk.out = &edges_[1][0];
-  walk.side = LineWalk::side_of(screen_.width);
+  walk.edge = now_;
+  walk.other = now_ + alive_ + 1;
+  walk.begin = walk.out = next_;
+  walk.side = side_;
   walk.limit = walk.limit_by(walk.other->x);
   walk.left = 0;
   walk.key = 0;
   walk.furthest = INT32_MIN;
   sink.begin(walk);
-  const auto begin_again = [&] {
-    if (again(*walk.out, line + 1)) walk.put_out();
-  };
-  for (;;) {
-    const WalkStop stop = sink.run(walk);
-    if (stop == WalkStop::side) break;
+  if (const WalkStop stop = sink.run(walk); stop != WalkStop::side) go_on(stop, line, walk, sink, plane, again);
+  if (walk.key == 0 && walk.edge->x == ActiveEdge::kNever && walk.other->x == ActiveEdge::kNever) [[likely]] {
+    sink.rest(walk.left);
+  } else {
+    cut_off(line, walk, sink, plane, again);
+  }
+  alive_ = static_cast<std::uint32_t>(walk.out - walk.begin);
+  std::swap(now_, next_);
+  start_none();
+  return !overlap_.overflow();
+}
+
+// Goes on after a stop, up to the one at the side.
+template <typename Sink, typename Plane, typename Again>
+void EdgeWalker::go_on(WalkStop stop, std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
+                       const Again& again) {
+  for (; stop != WalkStop::side; stop = sink.run(walk)) {
     if (stop == WalkStop::tall) {
-      begin_again();
+      if (again(*walk.out, line + 1)) walk.put_out();
       continue;
     }
-    if (stop == WalkStop::look && sink.learn(only_face(walk.key))) continue;
-    const std::int32_t column = walk.next()->column();
     if (stop == WalkStop::look) {
-      sink.one(walk.left, column, only_face(walk.key));
-    } else {
-      show_front(line, column, walk, sink, plane);
+      sink.learn(only_face(walk.key));
+      continue;
     }
+    const std::int32_t column = walk.next()->column();
+    show_front(line, column, walk, sink, plane);
     walk.left = column;
   }
+}
 
-  // At the right end spans are cut off.
+// At the right end spans are cut off.
+template <typename Sink, typename Plane, typename Again>
+void EdgeWalker::cut_off(std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane, const Again& again) {
   for (;;) {
     if (walk.other->x < walk.edge->x) std::swap(walk.edge, walk.other);
     const ActiveEdge* const next = walk.edge;
@@ -229,21 +254,18 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
       }
       walk.left = column;
     }
-    if (next->x == ActiveEdge::kNever) break;
+    if (next->x == ActiveEdge::kNever) return;
     ++walk.edge;
     walk.key += next->toggle;
     *walk.out = *next;
     if (next->rest < ActiveEdge::kOneLine) {
-      begin_again();
+      if (again(*walk.out, line + 1)) walk.put_out();
       continue;
     }
     walk.out->x += next->dx;
     walk.out->rest -= ActiveEdge::kOneLine;
     walk.put_out();
   }
-  alive_ = static_cast<std::uint32_t>(walk.out - walk.begin);
-  std::swap(edges_[0], edges_[1]);
-  return !overlap_.overflow();
 }
 
 }  // namespace spanline
