@@ -51,6 +51,9 @@ class MeshFrame {
     }
   }
   [[gnu::noinline]] bool end(const Status& status);
+  // Apart, so that a line that comes out well has no room for a Status on its stack.
+  [[gnu::noinline]] bool refuse(Slice<std::uint8_t> out) { return end(line_refused(out, line_bytes(), band_.top)); }
+  [[gnu::noinline]] bool fall_short() { return end(mesh_.shortage()); }
   void note(const Status& status) {
     if (status_.ok()) status_ = status;
   }
@@ -89,9 +92,9 @@ Band MeshFrame<Lines, kStatistics, kChanges>::prepare(const SceneView& scene, co
 template <typename Lines, bool kStatistics, bool kChanges>
 bool MeshFrame<Lines, kStatistics, kChanges>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
-  if (!takes_line(out, line_bytes())) return end(line_refused(out, line_bytes(), band_.top));
+  if (!takes_line(out, line_bytes())) return refuse(out);
   painter_.begin_line(band_.top, out.data());
-  if (!mesh_.next(band_.top, painter_, tap_)) return end(mesh_.shortage());
+  if (!mesh_.next(band_.top, painter_, tap_)) return fall_short();
   if (const Status& drawn = curves_.draw(band_.top, painter_); !drawn.ok()) note(drawn);
   if (status_.ok()) changes_.drawn(band_.top);
   ++band_.top;

@@ -118,7 +118,7 @@ class MeshLines {
 
  private:
   // What spans are painted with: fill_span(); that and smooth_span(); what the format takes.
-  enum class Paint { flat_words, smooth_words, any };
+  enum class Paint : std::uint8_t { flat_words, smooth_words, any };
   template <Paint kPaint>
   struct Sink;
 
@@ -146,6 +146,7 @@ class MeshLines {
   DepthRows rows_;
   SmoothFaces smooth_faces_;
   EdgeWalker walker_;
+  Paint paint_ = Paint::any;
   std::uint16_t line_ = 0;  // to be made next
   bool ready_ = false, overlaps_short_ = false;
 };

@@ -21,11 +21,7 @@ struct MeshLines<kTaps>::Sink {
   const SpanTap& tap;
   std::uint16_t line;
 
-  void begin(LineWalk& walk) const {
-    walk.pixels = painter.out();
-    walk.faces = &mesh.words_[0];
-    walk.painter = &mesh.brush_;
-  }
+  void begin(LineWalk& walk) const { walk.pixels = painter.out(); }
   WalkStop run(LineWalk& walk) const {
     if constexpr (kPaint == Paint::any || kTaps) {
       return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
@@ -110,7 +106,10 @@ MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
       smooth_(storage.smooth, storage.screen.format),
       words_(storage.mesh.faces),
       slots_(storage.mesh.slots),
-      walker_(storage.mesh.walker, storage.screen) {
+      walker_(storage.mesh.walker, storage.screen),
+      paint_(storage.screen.format != PixelFormat::rgb565 ? Paint::any
+             : smooth_.on()                               ? Paint::smooth_words
+                                                          : Paint::flat_words) {
   points_.limit(VertexBuckets::kMostVertices);
 }
 
@@ -131,6 +130,7 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   }
   rows_ = DepthRows(scene_.scene(), camera_, screen_);
   walker_.begin(scene_.scene(), top);
+  walker_.paint_with(&words_[0], &brush_);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
     if (changes != nullptr && !changes->moved(at.index())) {
@@ -316,11 +316,7 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
-    if (screen_.format == PixelFormat::rgb565) {
-      fill_exactly(painter.out(), 0, screen_.width, painter.background());
-    } else {
-      painter.fill(0, screen_.width, painter.background());
-    }
+    painter.fill(0, screen_.width, painter.background());
     ++line_;
     return true;
   }
@@ -335,13 +331,16 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
     return walker_.walk(line, Sink<kPaint>{*this, painter, tap, line}, plane);
   };
   bool whole = false;
-  if (screen_.format != PixelFormat::rgb565) {
-    whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
-  } else if (smooth_.on()) {
-    brush_.begin_line(line, painter.background());
-    whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
-  } else {
-    whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));
+  switch (paint_) {
+    case Paint::flat_words:
+      whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));
+      break;
+    case Paint::smooth_words:
+      brush_.begin_line(line, painter.background());
+      whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
+      break;
+    case Paint::any:
+      whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
   }
   if (!whole) return give_up(true);
   ++line_;

@@ -29,13 +29,24 @@ asm(R"(
     strd r4, r4, [r0], #8
     cmp r0, r3
     bhs 9f
-    .rept 3
+    .rept 2
     strd r4, r4, [r0], #8
     strd r4, r4, [r0], #8
     cmp r0, r3
     bhs 9f
     .endr
-    bl 50f
+    sub r5, r3, r0
+    cmp r5, #64
+    bhi 50f
+    mov r5, r4
+    mov r6, r4
+    mov lr, r4
+    .rept 3
+    stm r0!, {r4-r6, lr}
+    cmp r0, r3
+    bhs 9f
+    .endr
+    stm r0!, {r4-r6, lr}
 9:
     .endm
 
@@ -98,17 +109,7 @@ asm(R"(
 
 @ Words of r4 from r0 on up to r3, more than 16 pixels from where the span began.
     .macro long_fill
-50: sub r5, r3, r0
-    cmp r5, #96
-    bhi 51f
-    .rept 6
-    strd r4, r4, [r0], #8
-    strd r4, r4, [r0], #8
-    cmp r0, r3
-    it hs
-    bxhs lr
-    .endr
-51: push {r1, r2, r7, r9, r10, lr}
+50: push {r1, r2, r7, r9, r10}
     adds r3, #2                     @ to the end of a word
     bic r3, r3, #3
     mov r1, r4
@@ -131,7 +132,8 @@ asm(R"(
 55: cmp r0, r3
     bls 54b
     stm r3, {r1, r2, r4-r7, r9, r10}  @ over what is there already
-    pop {r1, r2, r7, r9, r10, pc}
+    pop {r1, r2, r7, r9, r10}
+    b 9b
     .endm
 
     .macro walk name, state, span

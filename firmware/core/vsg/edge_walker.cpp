@@ -11,10 +11,9 @@ void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
 void EdgeWalker::begin() {
   planes_.clear();
   CHECK(capacity_ >= kSentinels);
-  alive_ = 0;
   most_ = kSentinels;
   overlap_.clear_overflow();
-  start_none();
+  end_alive(now_);
 }
 
 // What the vertices of one instance start their edges from.
@@ -42,14 +41,29 @@ EdgeWalker::Fans<Word> EdgeWalker::fans_around(std::uint32_t vertex, const Drawn
 }
 
 void EdgeWalker::end_start(const Started& started) {
-  const auto begun = static_cast<std::uint32_t>(started.out - started.first);
-  if (alive_ + begun + kSentinels > most_) most_ = alive_ + begun + kSentinels;
+  const auto needed = static_cast<std::uint32_t>(started.out - now_);
+  if (needed > most_) most_ = needed;
   started.first[-1].x = started.out->x = ActiveEdge::kNever;
+}
+
+// The order of edges in one column is not that of their faces: only between columns is the key what it says.
+void EdgeWalker::gather_from_edges() {
+  const std::int32_t left = walk_.left;
+  const ActiveEdge* const alive = walk_.alive();
+  const ActiveEdge* const begun = walk_.begun();
+  CoverKey key = walk_.key;
+  const ActiveEdge *edge = alive, *fresh = begun;
+  const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
+  while (edge != now_ && at_left(edge[-1])) key -= (--edge)->toggle;
+  while (fresh != alive_end_ + 1 && at_left(fresh[-1])) key -= (--fresh)->toggle;
+  if (key < kTwoFaces) overlap_.set(only_face(key));
+  for (; edge != alive; ++edge) overlap_.toggle(*edge);
+  for (; fresh != begun; ++fresh) overlap_.toggle(*fresh);
 }
 
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
-  Started started{now_ + alive_ + 1};
+  Started started{alive_end_ + 1};
   Fans<Word> fans;
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
     if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);

@@ -43,17 +43,23 @@ class EdgeWalker {
         next_(&storage.edges[1][0]),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
         planes_(storage.planes),
-        screen_(screen),
-        side_(LineWalk::side_of(screen.width)) {}
+        screen_(screen) {
+    walk_.side = LineWalk::side_of(screen.width);
+  }
 
   // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
   // before faces are filed.
   void begin(const SceneRecord& scene, std::int32_t top);
+  // LineWalk::faces and LineWalk::painter of all lines.
+  void paint_with(const void* faces, const void* painter) {
+    walk_.faces = faces;
+    walk_.painter = painter;
+  }
   // To file the vertices of faces that are drawn; `first` is the mesh's first over the scene.
   VertexBuckets::Mesh vertices(std::uint32_t first) { return {buckets_, first}; }
 
   // Whether nothing of `line` is covered.
-  bool is_blank(std::int32_t line) const { return alive_ == 0 && is_quiet(line); }
+  bool is_blank(std::int32_t line) const { return alive_end_ == now_ && is_quiet(line); }
   // Whether no edge begins on `line`, which needs no start_edges() then.
   bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
   // Starts the edges that begin on `line`; to be called for every line from top on that is
@@ -62,7 +68,7 @@ class EdgeWalker {
   template <typename Word>
   bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
-  // The visible spans of the line. sink.begin(LineWalk&) sets what the painter has in it. sink.run(LineWalk&) is
+  // The visible spans of the line. sink.begin(LineWalk&) sets its pixels. sink.run(LineWalk&) is
   // walk_on() with a paint of its own; where it stops at a look, sink.learn(FaceId) sees to it that it does not again.
   // sink.one(left, right, FaceId) takes the spans at the line's right end, sink.rest(left) all of them where nothing
   // covers it; sink.front(left, right, FaceId, ramp) those where others are behind. plane(FaceId) makes a face's depth
@@ -119,16 +125,21 @@ class EdgeWalker {
   template <typename Word>
   static ActiveEdge* find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out);
   bool run_again(ActiveEdge& edge, std::int32_t line);
-  void start_none() { now_[alive_].x = now_[alive_ + 1].x = ActiveEdge::kNever; }
+  // Those alive end here, and none begins.
+  void end_alive(ActiveEdge* end) {
+    alive_end_ = end;
+    end[0].x = end[1].x = ActiveEdge::kNever;
+  }
   template <typename Sink, typename Plane, typename Again>
-  [[gnu::noinline]] void go_on(WalkStop stop, std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
+  [[gnu::noinline]] bool go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
                                const Again& again);
   template <typename Sink, typename Plane, typename Again>
-  [[gnu::noinline]] void cut_off(std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
-                                 const Again& again);
+  [[gnu::noinline]] bool cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  void gather_overlap();
+  void gather_from_edges();
+  FaceId begun_alone() const;
   template <typename Sink, typename Plane>
-  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
-                                    const Plane& plane);
+  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
   VertexBuckets buckets_;
@@ -138,14 +149,15 @@ class EdgeWalker {
   std::uint32_t capacity_ = 0;  // of both, and one more for the sentinel
   PlaneCache planes_;
   Screen screen_;
-  std::int32_t side_ = 0;
+  ActiveEdge* alive_end_ = nullptr;
+  LineWalk walk_{};
   OverlapSet overlap_;
-  std::uint32_t alive_ = 0, most_ = 0;
+  std::uint32_t most_ = 0;
 };
 template <typename Feed>
 bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
   const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
-  Started started{now_ + alive_ + 1};
+  Started started{alive_end_ + 1};
   const ActiveEdge* const last = now_ + capacity_;  // for the sentinel
   bool room = true;
   feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
@@ -162,21 +174,36 @@ bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
   return room;
 }
 
+// Brings the set of faces up to date with the edges in the column that the walk has come to. Mostly one edge begins one
+// of two faces, and the key knows the other.
+inline void EdgeWalker::gather_overlap() {
+  const FaceId face = walk_.key >> kCoverCount == 2 ? begun_alone() : FaceId{0};
+  if (face == 0) return gather_from_edges();
+  overlap_.set(face, static_cast<FaceId>(walk_.key - face));
+}
+
+// The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
+inline FaceId EdgeWalker::begun_alone() const {
+  const std::int32_t left = walk_.left;
+  if (left == 0) return 0;  // what lies left of the screen is there, too
+  const auto at_left = [left](const ActiveEdge* first, const ActiveEdge* end) {
+    return end != first && end[-1].column() == left;
+  };
+  const ActiveEdge *first = now_, *end = walk_.alive();
+  const bool of_alive = at_left(first, end), of_begun = at_left(alive_end_ + 1, walk_.begun());
+  if (of_alive == of_begun) return 0;
+  if (of_begun) {
+    first = alive_end_ + 1;
+    end = walk_.begun();
+  }
+  return at_left(first, end - 1) ? FaceId{0} : end[-1].beginning();
+}
+
 // Shows the span of several faces that the walk has come to.
 template <typename Sink, typename Plane>
-void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWalk& walk, const Sink& sink,
-                            const Plane& plane) {
-  // The order of edges in one column is not that of their faces: only between columns is the key what it says. The
-  // set is brought up to date by the edges at `left`.
-  const std::int32_t left = walk.left;
-  CoverKey key = walk.key;
-  const ActiveEdge *edge = walk.alive(), *fresh = walk.begun();
-  const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
-  while (edge != now_ && at_left(edge[-1])) key -= (--edge)->toggle;
-  while (fresh != now_ + alive_ + 1 && at_left(fresh[-1])) key -= (--fresh)->toggle;
-  if (key < kTwoFaces) overlap_.set(only_face(key));
-  for (; edge != walk.alive(); ++edge) overlap_.toggle(*edge);
-  for (; fresh != walk.begun(); ++fresh) overlap_.toggle(*fresh);
+void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
+  const std::int32_t left = walk_.left;
+  gather_overlap();
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) return;
   if constexpr (requires { plane.nearest(overlap_); }) {
@@ -196,32 +223,31 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const LineWal
 
 template <typename Sink, typename Plane, typename Again>
 bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
-  LineWalk walk;
+  LineWalk& walk = walk_;
   walk.edge = now_;
-  walk.other = now_ + alive_ + 1;
   walk.begin = walk.out = next_;
-  walk.side = side_;
+  walk.other = alive_end_ + 1;
   walk.limit = walk.limit_by(walk.other->x);
   walk.left = 0;
   walk.key = 0;
   walk.furthest = INT32_MIN;
   sink.begin(walk);
-  if (const WalkStop stop = sink.run(walk); stop != WalkStop::side) go_on(stop, line, walk, sink, plane, again);
+  bool whole = true;
+  if (const WalkStop stop = sink.run(walk); stop != WalkStop::side) whole = go_on(stop, line, sink, plane, again);
   if (walk.key == 0 && walk.edge->x == ActiveEdge::kNever && walk.other->x == ActiveEdge::kNever) [[likely]] {
     sink.rest(walk.left);
   } else {
-    cut_off(line, walk, sink, plane, again);
+    whole = cut_off(line, sink, plane, again);
   }
-  alive_ = static_cast<std::uint32_t>(walk.out - walk.begin);
   std::swap(now_, next_);
-  start_none();
-  return !overlap_.overflow();
+  end_alive(walk.out);
+  return whole;
 }
 
 // Goes on after a stop, up to the one at the side.
 template <typename Sink, typename Plane, typename Again>
-void EdgeWalker::go_on(WalkStop stop, std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane,
-                       const Again& again) {
+bool EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
+  LineWalk& walk = walk_;
   for (; stop != WalkStop::side; stop = sink.run(walk)) {
     if (stop == WalkStop::tall) {
       if (again(*walk.out, line + 1)) walk.put_out();
@@ -232,14 +258,16 @@ void EdgeWalker::go_on(WalkStop stop, std::int32_t line, LineWalk& walk, const S
       continue;
     }
     const std::int32_t column = walk.next()->column();
-    show_front(line, column, walk, sink, plane);
+    show_front(line, column, sink, plane);
     walk.left = column;
   }
+  return !overlap_.overflow();
 }
 
 // At the right end spans are cut off.
 template <typename Sink, typename Plane, typename Again>
-void EdgeWalker::cut_off(std::int32_t line, LineWalk& walk, const Sink& sink, const Plane& plane, const Again& again) {
+bool EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
+  LineWalk& walk = walk_;
   for (;;) {
     if (walk.other->x < walk.edge->x) std::swap(walk.edge, walk.other);
     const ActiveEdge* const next = walk.edge;
@@ -250,11 +278,11 @@ void EdgeWalker::cut_off(std::int32_t line, LineWalk& walk, const Sink& sink, co
       if (walk.key < kTwoFaces) {
         sink.one(walk.left, column, only_face(walk.key));
       } else {
-        show_front(line, column, walk, sink, plane);
+        show_front(line, column, sink, plane);
       }
       walk.left = column;
     }
-    if (next->x == ActiveEdge::kNever) return;
+    if (next->x == ActiveEdge::kNever) return !overlap_.overflow();
     ++walk.edge;
     walk.key += next->toggle;
     *walk.out = *next;

@@ -15,6 +15,11 @@ class OverlapSet {
     faces_[0] = only;
     count_ = only != 0;
   }
+  void set(FaceId a, FaceId b) {
+    faces_[0] = a;
+    faces_[1] = b;
+    count_ = 2;
+  }
   // Edges of one column may come in any order: a face may end before it has begun.
   void toggle(const ActiveEdge& edge) {
     const FaceId ends = edge.ending(), begins = edge.beginning();
