@@ -122,7 +122,8 @@ class MeshLines {
   template <Paint kPaint>
   struct Sink;
 
-  Status check(const SceneView& scene) const;
+  [[gnu::noinline]] Status check(const SceneView& scene) const;
+  [[gnu::noinline]] void clear(std::uint16_t top);
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   FaceLook look_elsewhere(FaceId face);

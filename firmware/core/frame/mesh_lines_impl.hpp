@@ -122,15 +122,7 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(scene); !status.ok()) return status;
-  smooth_faces_ = {};
-  smooth_.clear();
-  if (smooth_.on()) {
-    slots_[0] = 0;
-    brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
-  }
-  rows_ = DepthRows(scene_.scene(), camera_, screen_);
-  walker_.begin(scene_.scene(), top);
-  walker_.paint_with(&words_[0], &brush_);
+  clear(top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
     if (changes != nullptr && !changes->moved(at.index())) {
@@ -144,6 +136,20 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   line_ = top;
   ready_ = true;
   return {};
+}
+
+// Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
+template <bool kTaps>
+void MeshLines<kTaps>::clear(std::uint16_t top) {
+  smooth_faces_ = {};
+  smooth_.clear();
+  if (smooth_.on()) {
+    slots_[0] = 0;
+    brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
+  }
+  rows_ = DepthRows(scene_.scene(), camera_, screen_);
+  walker_.begin(scene_.scene(), top);
+  walker_.paint_with(&words_[0], &brush_);
 }
 
 // What the edge walker cannot draw, or not with the pools it has.
