@@ -1,6 +1,6 @@
-#include "golden/golden.hpp"
-
 #include <gtest/gtest.h>
+
+#include "golden/lines.hpp"
 
 namespace spanline::golden {
 namespace {
@@ -12,6 +12,18 @@ TEST(Golden, EveryPictureHasItsChecksum) {
   for (const Picture& picture : kPictures) {
     std::uint32_t crc = 0;
     const Status status = draw(picture, memory.storage(), stage, line, crc);
+    EXPECT_TRUE(status.ok()) << picture.name << ": " << status.where << " needs " << status.needed;
+    EXPECT_EQ(crc, picture.crc) << picture.name << std::hex << ": 0x" << crc;
+  }
+}
+
+TEST(Golden, EveryPictureInLinesHasItsChecksum) {
+  static LineMemory<kLineBudget> memory;
+  static demos::Stage stage;
+  alignas(4) std::uint8_t line[kMostLineBytes];
+  for (const Picture& picture : kLinePictures) {
+    std::uint32_t crc = 0;
+    const Status status = draw_lines(picture, memory.storage(), stage, line, crc);
     EXPECT_TRUE(status.ok()) << picture.name << ": " << status.where << " needs " << status.needed;
     EXPECT_EQ(crc, picture.crc) << picture.name << std::hex << ": 0x" << crc;
   }

@@ -60,12 +60,12 @@ inline constexpr Budget kBudget{.width = 320,
                                 .layers = 24};
 inline constexpr std::uint32_t kMostLineBytes = bytes_per_line(PixelFormat::rgb565, 320);
 
-// Draws what is on the stage; every demo by the same kind of frame, to fit the flash.
-inline Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
-                         std::uint32_t& crc) {
-  Frame<FrameOptions{.patches = true, .layers = true}> frame(storage);
+// Draws what is on the stage by either kind of frame.
+template <typename AnyFrame>
+Status draw_by(AnyFrame& frame, const Screen& screen, const demos::Stage& stage, Slice<std::uint8_t> line,
+               std::uint32_t& crc) {
   Crc32 sum;
-  for (Band rest{0, storage.screen.height}; !rest.empty();) {
+  for (Band rest{0, screen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
     if (band.empty()) break;
     while (frame.next_line(line)) sum.add({line.data(), frame.line_bytes()});
@@ -73,6 +73,13 @@ inline Status draw_stage(const FrameStorage& storage, const demos::Stage& stage,
   }
   crc = sum.value();
   return frame.status();
+}
+
+// Every demo by the same kind of frame, to fit the flash.
+inline Status draw_stage(const FrameStorage& storage, const demos::Stage& stage, Slice<std::uint8_t> line,
+                         std::uint32_t& crc) {
+  Frame<FrameOptions{.patches = true, .layers = true}> frame(storage);
+  return draw_by(frame, storage.screen, stage, line, crc);
 }
 
 // Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of

@@ -285,6 +285,32 @@ TEST(Shadows, OfRandomScenesAreThoseOfRays) {
   EXPECT_GT(in_shadow, 500 * scenes);
 }
 
+// A table full of boxes. What a light sees is sorted in windows where it has more than 400 faces.
+std::string crowd(int boxes) {
+  oracle::Random random(3);
+  const auto number = [&](double low, double high) {
+    return std::to_string(low + (high - low) * random.between(0, 10000) / 10000);
+  };
+  std::string instances = R"({"mesh":"table"})";
+  for (int i = 0; i < boxes; ++i) {
+    instances += R"(,{"mesh":"box","rotate":[)" + number(-20, 20) + "," + number(0, 360) + "," + number(-20, 20) +
+                 R"(],"scale":[)" + number(0.08, 0.3) + "," + number(0.1, 0.5) + "," + number(0.08, 0.3) +
+                 R"(],"translate":[)" + number(-3.2, 3.2) + "," + number(0, 0.5) + "," + number(-3.2, 3.2) + "]}";
+  }
+  return R"({"camera":{"eye":[3,7,8],"target":[0,0.2,0],"fov":40,"near":3,"far":30},"ambient":[0.15,0.15,0.15],)"
+         R"("shadows":true,"lights":[{"direction":[0.5,-1,0.3]},{"direction":[-0.8,-0.7,0.2],"intensity":[0.4,0.4,0.5]}],)"
+         R"("materials":[{"name":"chalk","color":[210,200,190]}],"meshes":[)"
+         R"({"name":"table","vertices":[[-3.5,0,-3.5],[-3.5,0,3.5],[3.5,0,3.5],[3.5,0,-3.5]],"faces":[[0,1,2,3]]},)"
+         R"({"name":"box","material":"chalk","vertices":[[-1,-1,-1],[1,-1,-1],[1,1,-1],[-1,1,-1],[-1,-1,1],[1,-1,1],)"
+         R"([1,1,1],[-1,1,1]],"faces":[[3,2,1,0],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]}],)"
+         R"("instances":[)" +
+         instances + "]}";
+}
+
+TEST(Shadows, OfManyFacesAreThoseOfRays) {
+  EXPECT_GT(pixels_in_shadow(parse_scene("crowd", crowd(90)), 160, 120, 0.35), 1000);
+}
+
 const std::string kTable = R"("meshes":[{"name":"table","vertices":[[-4,0,-4],[-4,0,4],[4,0,4],[4,0,-4]],)"
                            R"("faces":[[0,1,2,3]]},{"name":"plate","vertices":[[-1,1,-1],[-1,1,1],[1,1,1],[1,1,-1]],)"
                            R"("faces":[[0,1,2,3]]}],)";
