@@ -104,6 +104,11 @@ std::string hidden_json(const HiddenView& view, const FacetList& facets, const C
                       {"faces", std::move(faces)}});
     instances.push_back({{"mesh", name}, {"cull", false}});
   }
+  if (meshes.empty()) {
+    // Nothing is visible, and a scene has a mesh.
+    meshes.push_back({{"name", "nothing"}, {"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"faces", {{0, 1, 2}}}});
+    instances.push_back({{"mesh", "nothing"}, {"hidden", true}});
+  }
   const View& seen = scene.view();
   const ordered_json document = {
       {"size", {description.width, description.height}},

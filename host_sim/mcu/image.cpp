@@ -79,8 +79,10 @@ Image::Image(const std::string& path) : path_(path) {
   GElf_Ehdr header;
   if (gelf_getehdr(elf.get(), &header) == nullptr) throw InputError(path, "an ELF file with a broken header");
   if (header.e_machine != EM_ARM || header.e_ident[EI_CLASS] != ELFCLASS32 || header.e_ident[EI_DATA] != ELFDATA2LSB) {
-    throw InputError(path, "not for a Cortex-M: the ELF's machine is " + std::to_string(header.e_machine) +
-                               ", wanted 40 (Arm, 32 bits, little-endian)");
+    const bool wide = header.e_ident[EI_CLASS] == ELFCLASS64, big = header.e_ident[EI_DATA] == ELFDATA2MSB;
+    throw InputError(path, "not for a Cortex-M: the ELF's machine is " + std::to_string(header.e_machine) + " (" +
+                               (wide ? "64" : "32") + " bits, " + (big ? "big" : "little") +
+                               "-endian), wanted 40 (32 bits, little-endian)");
   }
   if (header.e_type != ET_EXEC) throw InputError(path, "not linked: an executable is wanted, not an object file");
   if ((header.e_entry & kThumb) == 0 && header.e_entry != 0) {

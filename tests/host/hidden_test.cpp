@@ -155,6 +155,19 @@ TEST(HiddenVerb, DetailOfSeeThroughFacesTakesTheirPlace) {
   EXPECT_EQ(films, (std::set<std::uint32_t>{1, 2}));
 }
 
+TEST(HiddenVerb, WhereNothingIsVisibleTheOutputIsASceneStill) {
+  std::string text = kCube;
+  text.replace(
+      text.find("200, 160"), 8,
+      R"(40, 30], "camera": { "eye": [0, 0, 5], "target": [0, 0, 9], "near": 1, "far": 9 }, "ambient": [1, 1, 1)");
+  const CompiledScene scene = compile(parse_scene("cube", text));
+  const FacetList facets(scene, Facing::as_culled);
+  const HiddenView view = view_of(scene, 0, area::Panes::shown);
+  EXPECT_TRUE(view.polygons.empty());
+  const CompiledScene again = compile(parse_scene("again", hidden_json(view, facets, scene)));
+  EXPECT_EQ(share_that_differs(picture_of(scene), picture_of(again)), 0);
+}
+
 // A town of 64 towers, of which no two touch.
 std::string town() {
   oracle::Random random(7);
