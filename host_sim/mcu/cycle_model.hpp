@@ -31,6 +31,12 @@ class CycleModel {
     return 1;
   }
 
+  // Whether the time of such an instruction depends on what it multiplies or divides: Execution::a and b.
+  static bool asks_for_operands(Core core, Kind kind) {
+    const bool divides = kind == Kind::divide_unsigned || kind == Kind::divide_signed;
+    return divides || (core == Core::m3 && (kind == Kind::long_multiply || kind == Kind::long_multiply_accumulate));
+  }
+
   // Cycles from an interrupt to its handler's first instruction.
   unsigned enter_exception() const;
 

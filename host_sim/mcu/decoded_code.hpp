@@ -7,6 +7,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "mcu/cycle_model.hpp"
 #include "mcu/decoder.hpp"
 #include "mcu/image.hpp"
 #include "mcu/marks.hpp"
@@ -27,7 +28,7 @@ class DecodedCode {
   };
 
   DecodedCode(const Image& image, const DebugInfo& debug, Core core, const Marks& marks)
-      : image_(image), marks_(marks), decoder_(core), places_(image, debug) {}
+      : image_(image), core_(core), marks_(marks), decoder_(core), places_(image, debug) {}
 
   // `read`: the halfword at an address.
   template <typename Read>
@@ -54,6 +55,7 @@ class DecodedCode {
   const Entry& decode(std::uint32_t address, std::uint16_t first, std::uint16_t second);
 
   const Image& image_;
+  Core core_;
   const Marks& marks_;
   Decoder decoder_;
   Places places_;

@@ -18,6 +18,7 @@
 #include "mcu/pool_watch.hpp"
 #include "mcu/stack_watch.hpp"
 #include "mcu/system_registers.hpp"
+#include "mcu/wait_turns.hpp"
 
 namespace spanline::host {
 
@@ -36,6 +37,12 @@ class Machine final : private RegisterAccess {
   StartState reset();
   const DecodedCode::Entry& decoded(std::uint32_t address);
   void on_code(std::uint32_t address);
+  void begin_step(const DecodedCode::Entry& here, std::uint32_t address);
+  void touch(std::uint32_t address, std::uint32_t size);
+  void note_read(std::uint32_t address, std::uint32_t size);
+  void note_question();
+  bool replays(std::uint32_t address);
+  void leave_replay();
   void look_at(const Instruction& insn);
   void on_access(bool write, std::uint32_t address, std::uint32_t size);
   void on_interrupt(std::uint32_t number);
@@ -56,6 +63,7 @@ class Machine final : private RegisterAccess {
   void fill_report(const StartState& start);
   // Cycles since reset.
   std::uint64_t now() const {
+    if (turns_.replaying()) return turns_.current_time();
     if (options_.as_emulator) return clock_.cycle_at(ledger_.total().instructions);
     return model_ ? ledger_.total().time() : ledger_.total().instructions;
   }
@@ -79,6 +87,7 @@ class Machine final : private RegisterAccess {
   PoolWatch pools_;
   Ledger ledger_;
   WaitFinder waits_;
+  WaitTurns turns_;
   StackWatch stack_;
   std::optional<FrameRecorder> frames_;
   std::uint32_t vectors_ = 0;

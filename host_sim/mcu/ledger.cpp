@@ -36,11 +36,36 @@ void Ledger::charge_waiting(std::uint64_t begin) {
   watched_from_ = total_.instructions;
 }
 
+void Ledger::pass_turns(const Count& turn, std::uint64_t turns) {
+  close_run();
+  const Count all{turn.instructions * turns, turn.cycles * turns, turn.stalls * turns, turn.waiting * turns};
+  total_ += all;
+  // What has been watched of the turn under way moves along.
+  run_.when += all.time();
+  watched_from_ += all.instructions;
+  for (Run& run : recent_) run.when += all.time();
+}
+
+void Ledger::charge_turns(std::uint32_t function, std::uint32_t node, Stage stage, const Count& turns) {
+  functions_[function] += turns;
+  stages_[static_cast<std::size_t>(stage)] += turns;
+  calls_.charge(node, turns);
+}
+
 void Ledger::end() {
   close_run();
   passages_.push_back(total_ - begin_);
   counted_.resize(functions_.size());
   for (std::size_t i = 0; i < functions_.size(); ++i) counted_[i] += functions_[i] - at_begin_[i];
+}
+
+WaitFinder::Wait WaitFinder::go_on(std::uint64_t since, std::uint64_t passed) {
+  for (Question& question : questions_) {
+    if (question.when >= since) question.when += passed;
+  }
+  const Wait wait{counted_until_, counted_until_ + passed};
+  counted_until_ += passed;
+  return wait;
 }
 
 // A loop asks few questions, over and over: they are kept at the front.

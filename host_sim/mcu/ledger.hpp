@@ -35,6 +35,10 @@ class Ledger {
   // What was charged since `begin`, when a register was asked, was a turn of a loop that waits.
   void charge_waiting(std::uint64_t begin);
 
+  // Turns of such a loop pass, each of `turn`; charge_turns() tells whose they were.
+  void pass_turns(const Count& turn, std::uint64_t turns);
+  void charge_turns(std::uint32_t function, std::uint32_t node, Stage stage, const Count& turns);
+
   const Count& total() const { return total_; }
   StageCounts stages() const;
   CallTree& calls() { return calls_; }
@@ -97,6 +101,8 @@ class WaitFinder {
   };
 
   void stored() { ++stores_; }
+  // So much time passes in which all that has been asked `since` then is asked again and again.
+  Wait go_on(std::uint64_t since, std::uint64_t passed);
   std::optional<Wait> asked(std::uint32_t instruction, std::uint64_t now);
 
  private:

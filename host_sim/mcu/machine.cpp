@@ -48,12 +48,14 @@ Machine::Machine(const Image& image, const BoardDescription& board, const RunOpt
 }
 
 void Machine::end(const std::string& why) {
+  leave_replay();
   if (!ended_) report_.end = why;
   ended_ = true;
   uc_emu_stop(core_.engine());
 }
 
 void Machine::fail(const std::string& what) {
+  leave_replay();
   if (failure_.empty()) failure_ = what + ", at " + place(current_address_) + "; " + core_.registers();
   end("fault");
 }
@@ -128,21 +130,16 @@ void Machine::enter_marks(std::uint32_t address) {
 }
 
 void Machine::on_code(std::uint32_t address) {
-  if (ended_) return;
+  if (ended_ || replays(address)) return;
   const DecodedCode::Entry& here = decoded(address);
   const std::uint32_t before = current_address_;
   settle(address, here.insn.size);
   if (sp_changed_) watch_stack(before);
-  const std::uint64_t time = now();
-  if (time >= next_event_ && serve_events(address)) return;
+  if (now() >= next_event_ && serve_events(address)) return turns_.cancel();
   current_address_ = address;
   if (here.marked || address == line_made_) enter_marks(address);
   if (ended_) return;
-  ledger_.calls().at(here.place, code_.places());
-  current_ = &here;
-  sp_changed_ = here.insn.writes_sp();
-  how_ = Execution{};
-  stall_ = timing_.fetch(address, time);
+  begin_step(here, address);
   if (ledger_.total().instructions >= options_.limit) {
     return fail("has not stopped after " + std::to_string(options_.limit) + " instructions");
   }
@@ -152,7 +149,7 @@ void Machine::on_code(std::uint32_t address) {
 // What more there is to an instruction than its time.
 void Machine::look_at(const Instruction& insn) {
   if (!insn.supported) return fail(std::string("executes an instruction that a ") + name(board_.core) + " lacks");
-  if (insn.kind >= Kind::long_multiply && insn.kind <= Kind::divide_signed && model_) {
+  if (CycleModel::asks_for_operands(board_.core, insn.kind) && model_) {
     how_.a = core_.reg(insn.a);
     how_.b = core_.reg(insn.b);
   }
@@ -165,23 +162,38 @@ void Machine::look_at(const Instruction& insn) {
 }
 
 void Machine::on_access(bool write, std::uint32_t address, std::uint32_t size) {
+  if (turns_.replaying()) {
+    const WaitTurns::Step& step = turns_.current();
+    if (!write && !turns_.has_read() && address == step.datum && size == step.datum_bytes) return turns_.read();
+    leave_replay();
+  }
   if (current_ == nullptr) return;
   if (write) {
+    turns_.cancel();
     waits_.stored();
     ledger_.forget_recent();
     pools_.written(address);
+    touch(address, size);
   } else {
-    stall_ += timing_.read(address);
-  }
-  if (how_.data_size == 0) {
-    how_.data_address = address;
-    how_.data_size = static_cast<std::uint8_t>(size);
+    note_read(address, size);
   }
   const bool aligned_only = board_.core == Core::m0 || board_.core == Core::m0plus || !current_->insn.is_single();
   const std::uint32_t unit = size > 4 ? 4 : size;
   if (aligned_only && current_->insn.touches_memory() && address % unit != 0) {
     fail("touches " + std::to_string(size) + " bytes at the unaligned address " + hex(address));
   }
+}
+
+void Machine::touch(std::uint32_t address, std::uint32_t size) {
+  if (how_.data_size != 0) return;
+  how_.data_address = address;
+  how_.data_size = static_cast<std::uint8_t>(size);
+}
+
+void Machine::note_read(std::uint32_t address, std::uint32_t size) {
+  stall_ += timing_.read(address);
+  touch(address, size);
+  if (turns_.recording()) turns_.record_datum(address, size);
 }
 
 void Machine::semihost() {
@@ -201,6 +213,8 @@ void Machine::semihost() {
 
 void Machine::on_interrupt(std::uint32_t number) {
   if (ended_) return;
+  leave_replay();
+  turns_.cancel();
   if (number == kExceptionReturn && core_.in_exception()) {
     core_.leave_exception();
     ledger_.calls().resume();

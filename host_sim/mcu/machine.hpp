@@ -31,6 +31,7 @@ struct RunOptions {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> words;  // address, value: written into RAM before the reset
   bool as_emulator =
       false;  // time as QEMU's -icount shift=0: a nanosecond an instruction, nothing on the wire; no cycles
+  bool step_by_step = false;  // loops that wait are not replayed (wait_turns.hpp): slower, and all counts are the same
 };
 
 // The panel at the end of the run.

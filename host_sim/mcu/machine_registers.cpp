@@ -4,6 +4,11 @@
 #include "mcu/emulated_machine.hpp"
 
 namespace spanline::host {
+namespace {
+
+constexpr std::uint64_t kLongWait = 1000;  // cycles: turns that something ends earlier are not worth telling apart
+
+}  // namespace
 
 // Null after a failure.
 Peripheral* Machine::device_at(std::uint32_t address, unsigned size, const char* verb) {
@@ -27,13 +32,21 @@ std::uint32_t Machine::read_register(std::uint32_t address, unsigned size) {
     value = device->read(address - device->base());
   }
   if (!value) fail("reads the register " + hex(address) + ", which is not modelled");
+  if (!turns_.replaying()) note_question();
+  return value.value_or(0);
+}
+
+// The current instruction reads a register.
+void Machine::note_question() {
   const std::optional<WaitFinder::Wait> wait = waits_.asked(current_address_, now());
   if (wait) {
     ledger_.charge_waiting(wait->begin);
     if (frames_) frames_->waited(wait->begin, wait->end);
+    const bool replays = model_ && !options_.as_emulator && !options_.step_by_step;
+    if (replays && turns_.idle() && next_event_ - now() > kLongWait) turns_.arm(current_address_);
   }
   ledger_.asked();
-  return value.value_or(0);
+  turns_.record_question();
 }
 
 void Machine::write_register(std::uint32_t address, unsigned size, std::uint32_t value) {

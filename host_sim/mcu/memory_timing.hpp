@@ -45,6 +45,8 @@ class MemoryTiming {
     if (address - flash_.base >= flash_.size || address >> flash_.line_bits == line_) return 0;
     return turn_to(address >> flash_.line_bits, now);
   }
+  // So much time passes in which the code goes round and comes back to where it is.
+  void pass(std::uint64_t time) { entered_ += time; }
   unsigned read(std::uint32_t address) {
     if (address - flash_.base >= flash_.size) return 0;
     CacheTags& tags = flash_.data_sets == 0 ? code_ : data_;

@@ -53,6 +53,49 @@ TEST(Machine, SpeaksBySemihosting) {
   EXPECT_EQ(report.total.instructions, 6u);
 }
 
+// Waits for three ticks of 50,000 cycles in a loop that asks the timer, goes another way in every other 512 cycles of
+// it, and counts its turns:
+// reset: ldr r0, =0xe000e010; ldr r1, =49999; str r1, [r0, #4]; movs r1, #0; str r1, [r0, #8]; movs r5, #0;
+//        ldr r2, =0x20000000; str r5, [r2]; movs r1, #7; str r1, [r0];
+// loop:  ldr r3, [r0, #8]; ldr r4, [r2]; adds r5, #1; lsls r6, r3, #22; bpl next; nop; next: cmp r4, #3; bne loop; bkpt
+// tick:  ldr r1, =0x20000000; ldr r0, [r1]; adds r0, #1; str r0, [r1]; bx lr
+const std::vector<std::uint16_t> kWait = {0x480B, 0x490C, 0x6041, 0x2100, 0x6081, 0x2500, 0x4A0A, 0x6015,
+                                          0x2107, 0x6001, 0x6883, 0x6814, 0x3501, 0x059E, 0xD500, 0x46C0,
+                                          0x2C03, 0xD1F7, 0xBE00, 0x4904, 0x6808, 0x3001, 0x6008, 0x4770,
+                                          0xE010, 0xE000, 0xC34F, 0x0000, 0x0000, 0x2000};
+
+TEST(Machine, ReplaysLoopsThatWaitAndCountsTheSame) {
+  for (const char* board : {"cortex-m0", "cortex-m0plus", "cortex-m3", "cortex-m4", "ek-lm3s6965"}) {
+    TinyElf elf;
+    elf.code = kWait;
+    elf.symbols = {{"reset", 0x41, 38}, {"tick", 0x67, 10}};
+    elf.tick = 0x67;
+    const Image image(write_tiny_elf(elf, "wait.elf"));
+    RunOptions options;
+    const RunReport replayed = run_image(image, board_named(board), options);
+    options.step_by_step = true;
+    const RunReport stepped = run_image(image, board_named(board), options);
+    const auto expect_same = [&](const Count& a, const Count& b, const std::string& what) {
+      EXPECT_EQ(a.instructions, b.instructions) << board << " " << what;
+      EXPECT_EQ(a.cycles, b.cycles) << board << " " << what;
+      EXPECT_EQ(a.stalls, b.stalls) << board << " " << what;
+      EXPECT_EQ(a.waiting, b.waiting) << board << " " << what;
+    };
+    EXPECT_EQ(replayed.end, "BKPT at 0x00000064 in reset") << board;
+    EXPECT_EQ(replayed.end, stepped.end) << board;
+    EXPECT_GT(stepped.total.waiting, 140000u) << board;
+    expect_same(replayed.total, stepped.total, "total");
+    ASSERT_EQ(replayed.functions.size(), stepped.functions.size());
+    for (std::size_t i = 0; i < stepped.functions.size(); ++i) {
+      expect_same(replayed.functions[i], stepped.functions[i], "function " + std::to_string(i));
+    }
+    ASSERT_EQ(replayed.calls.nodes().size(), stepped.calls.nodes().size());
+    for (std::size_t i = 0; i < stepped.calls.nodes().size(); ++i) {
+      expect_same(replayed.calls.nodes()[i].self, stepped.calls.nodes()[i].self, "node " + std::to_string(i));
+    }
+  }
+}
+
 // reset: bl begin; adds; adds; bl end; b reset. begin and end: bx lr.
 const std::vector<std::uint16_t> kFrames = {0xF000, 0xF806, 0x3001, 0x3001, 0xF000,
                                             0xF803, 0xE7F8, 0xBF00, 0x4770, 0x4770};
@@ -171,6 +214,14 @@ TEST(Machine, GivesUpAtTheLimit) {
   EXPECT_THROW(run({0xBF00, 0xE7FD}, "cortex-m4", options), InputError);
   options.until = "nobody";
   EXPECT_THROW(run({0xBE00}, "cortex-m4", options), InputError);
+  options.until.clear();
+  // And where it waits for what never comes: ldr r0, =0xe000e010; ldr r1, [r0, #8]; b back
+  try {
+    run({0x4801, 0x6881, 0xE7FD, 0xBF00, 0xE010, 0xE000}, "cortex-m4", options);
+    FAIL() << "waits for ever";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("has not stopped after"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Machine, MeasuresTheStack) {
