@@ -242,7 +242,7 @@ TEST(Points, CutsAreBounded) {
   std::uint32_t most = 0;
   for (std::uint64_t i = scene_count(60, 2'000); i > 0; --i) {
     view.projection.near_w = 1 << random.below(28);
-    const int aside = 1 << random.between(4, 30), deep = 1 << random.between(4, 30);
+    const int aside = 1 << random.between(4, 29), deep = 1 << random.between(4, 29);
     ClipPatch patch;
     for (auto& row : patch.at) {
       for (ClipPoint& p : row) {
