@@ -19,7 +19,7 @@ inline constexpr Budget k16K{.facets = 456,
 
 // No vertex kept, bands of a few lines: what one line needs, and little else.
 inline constexpr Budget k8K{.band_lines = 4,
-                            .facets = 52,
+                            .facets = 51,
                             .vertices = 0,
                             .polygons = 51,
                             .edges = 2,
