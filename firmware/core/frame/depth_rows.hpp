@@ -3,43 +3,57 @@
 #include "core/geom/projection.hpp"
 #include "core/scene/instance_cursor.hpp"
 #include "core/vsg/depth.hpp"
+#include "core/vsg/overlap.hpp"
+#include "core/vsg/plane_cache.hpp"
 
 namespace spanline {
 
-// Depth planes of a scene's faces without a vertex cache: of the matrices only the row that leads to w is needed, and
-// the last instance's is kept.
+// Depths of a scene's faces without a vertex cache: of the matrices only the row that leads to w is needed, and the
+// last instance's is kept. All faces lie inside the view.
 class DepthRows {
  public:
   DepthRows() = default;
-  DepthRows(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen)
-      : cursor_(scene), camera_(&camera), screen_(screen), projection_(camera, screen) {}
+  // `farthest`: how far away instances are (farthest()) that hold() is not said of.
+  DepthRows(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen, std::int32_t farthest)
+      : cursor_(scene), camera_(&camera), screen_(screen), projection_(camera, screen), farthest_(farthest) {}
 
-  // The plane of a triangle inside the view; what face_plane() gives. points[1 + vertex]: the scene's on the screen.
+  // To be said of instances' matrices before faces are asked for.
+  void hold(const ClipMatrix& matrix);
+  std::int32_t farthest() const { return farthest_; }
+
+  // The plane of a face; what face_plane() gives. points[1 + vertex]: the scene's on the screen.
   DepthPlane plane(std::uint32_t face, const PoolRef<ScreenXY>& points);
+  // The face of the set that is in front of all others wherever both are, as can be told from how far their corners
+  // lie ahead; 0 where that takes planes.
+  FaceId nearest(const OverlapSet& set, PlaneCache& cache);
 
  private:
+  // The instance of a face that was asked for, as far as it is used here.
+  struct Instance {
+    std::uint32_t first_face = 0, faces = 0, first_vertex = 0;  // over the scene; how many
+    const std::uint16_t* corners = nullptr;
+    const Position* positions = nullptr;
+    ClipRow ahead;   // that leads to w
+    RoughRow rough;  // likewise
+  };
+
+  const Instance& instance_of(std::uint32_t face) {
+    if (face - at_.first_face >= at_.faces) [[unlikely]]
+      find(face);
+    return at_;
+  }
+  void find(std::uint32_t face);
+  DepthReach reach(std::uint32_t face);
+  bool apart(std::int32_t farthest, std::int32_t nearest) const;
+
   InstanceCursor cursor_;
   const CameraRecord* camera_ = nullptr;
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
   Normaliser normaliser_;
-  ClipRow ahead_;                        // that leads to w
-  std::uint32_t instance_ = UINT32_MAX;  // of the row
+  Instance at_;
+  std::int32_t near_ = 0;      // the near plane, in the rough row's units
+  std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
 };
-
-inline DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
-  cursor_.to_face(face);
-  const MeshRecord& mesh = cursor_.mesh();
-  if (instance_ != cursor_.index()) {
-    instance_ = cursor_.index();
-    ahead_ = ClipRow(compose(*camera_, cursor_.instance().transform, mesh), 2);
-  }
-  const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - cursor_.first_face());
-  const ScreenXY* const point = &points[cursor_.first_vertex() + 1];
-  const Position* const position = mesh.positions.data();
-  // Inside the view, and the matrix fits, else the walker would not have begun.
-  const auto depth = [&](int i) { return projection_.depth(ahead_.at(position[corner[i]]), normaliser_); };
-  return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
-}
 
 }  // namespace spanline

@@ -121,9 +121,10 @@ class MeshLines {
   enum class Paint : std::uint8_t { flat_words, smooth_words, any };
   template <Paint kPaint>
   struct Sink;
+  struct Planes;
 
   [[gnu::noinline]] Status check(const SceneView& scene) const;
-  [[gnu::noinline]] void clear(std::uint16_t top);
+  [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   FaceLook look_elsewhere(FaceId face);

@@ -42,14 +42,7 @@ struct MeshLines<kTaps>::Sink {
     }
   }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
-    if constexpr (kTaps) {
-      DepthRamp ramp;
-      if (face != 0) {
-        const DepthPlane plane = mesh.rows_.plane(face - 1u, mesh.points_);
-        ramp = {plane.ramp.at_zero + plane.down * line, plane.ramp.slope};
-      }
-      report(left, right, face, ramp);
-    }
+    if constexpr (kTaps) report_alone(left, right, face);
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
   void rest(std::int32_t left) const {
@@ -61,6 +54,15 @@ struct MeshLines<kTaps>::Sink {
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
+    paint_front(left, right, face);
+  }
+  void front_alone(std::int32_t left, std::int32_t right, FaceId face) const {
+    if constexpr (kTaps) report_alone(left, right, face);
+    paint_front(left, right, face);
+  }
+
+ private:
+  [[gnu::noinline]] void paint_front(std::int32_t left, std::int32_t right, FaceId face) const {
     if (kPaint != Paint::any && right + kOvershoot <= mesh.screen_.width) {
       if constexpr (kPaint == Paint::flat_words) {
         return fill_span(painter.out(), left, right, mesh.words_[face]);
@@ -73,8 +75,6 @@ struct MeshLines<kTaps>::Sink {
     }
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
-
- private:
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
     if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) {
@@ -84,6 +84,14 @@ struct MeshLines<kTaps>::Sink {
     const FaceLook& look = mesh.brush_.look(face);
     if (!look.smooth()) return painter.fill(left, right, look.color());
     painter.smooth(left, right, look.plane, mesh.brush_.colors());
+  }
+  void report_alone(std::int32_t left, std::int32_t right, FaceId face) const {
+    DepthRamp ramp;
+    if (face != 0) {
+      const DepthPlane plane = mesh.rows_.plane(face - 1u, mesh.points_);
+      ramp = {plane.ramp.at_zero + plane.down * line, plane.ramp.slope};
+    }
+    report(left, right, face, ramp);
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if (tap.span == nullptr) return;
@@ -96,6 +104,14 @@ struct MeshLines<kTaps>::Sink {
     span.depth = ramp;
     tap.span(tap.context, span);
   }
+};
+
+template <bool kTaps>
+struct MeshLines<kTaps>::Planes {
+  MeshLines& mesh;
+
+  DepthPlane operator()(FaceId face) const { return mesh.rows_.plane(face - 1u, mesh.points_); }
+  FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.rows_.nearest(set, cache); }
 };
 
 template <bool kTaps>
@@ -122,7 +138,8 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(scene); !status.ok()) return status;
-  clear(top);
+  // What has not moved is not projected again, but as far away as it was.
+  clear(top, changes == nullptr ? 0 : rows_.farthest());
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
     if (changes != nullptr && !changes->moved(at.index())) {
@@ -140,14 +157,14 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
 
 // Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
 template <bool kTaps>
-void MeshLines<kTaps>::clear(std::uint16_t top) {
+void MeshLines<kTaps>::clear(std::uint16_t top, std::int32_t farthest) {
   smooth_faces_ = {};
   smooth_.clear();
   if (smooth_.on()) {
     slots_[0] = 0;
     brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
   }
-  rows_ = DepthRows(scene_.scene(), camera_, screen_);
+  rows_ = DepthRows(scene_.scene(), camera_, screen_, farthest);
   walker_.begin(scene_.scene(), top);
   walker_.paint_with(&words_[0], &brush_);
 }
@@ -250,6 +267,7 @@ template <bool kTaps>
 bool MeshLines<kTaps>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
   if (matrix.mirrored || !matrix.fits()) return false;
+  rows_.hold(matrix);
   const Projection projection(camera_, screen_);
   const ClipRow x(matrix, 0), y(matrix, 1), w(matrix, 2);
   const bool surely = projection.holds(matrix);
@@ -331,10 +349,9 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
         smooth_.on() ? walker_.start_edges(line, slots_.drawn()) : walker_.start_edges(line, words_.drawn());
     if (!room) return give_up(false);
   }
-  const auto plane = [this](FaceId face) { return rows_.plane(face - 1u, points_); };
   const auto walk = [&]<Paint kPaint>(Sink<kPaint>* none) {
     static_cast<void>(none);
-    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, line}, plane);
+    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, line}, Planes{*this});
   };
   bool whole = false;
   switch (paint_) {

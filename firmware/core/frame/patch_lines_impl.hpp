@@ -84,7 +84,7 @@ struct PatchLines<kTaps>::Planes {
     lines.planes_made_ = true;
     return {lines.grids_.ramp(face, line), 0};
   }
-  FaceId nearest(const OverlapSet& set) const {
+  FaceId nearest(const OverlapSet& set, PlaneCache&) const {
     constexpr std::uint32_t kUnit = 1u << (kDepthBits - 16);
     FaceId face = 0;
     std::uint32_t least = 0, most = 0, others = 0;  // the face's own depths; the largest of the others

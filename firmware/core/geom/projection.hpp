@@ -123,6 +123,41 @@ class SplitRow {
 
 using ClipRow = std::conditional_t<kLongMultiply, LongRow, SplitRow>;
 
+// A row for comparing, without products of 64 bits: at() is the row as Q(16 - up).(16 + up), off by less than kError.
+class RoughRow {
+ public:
+  static constexpr std::int32_t kError = 1 << 16;
+
+  // The most that positions of such a row (ClipMatrix::farthest) can go up.
+  static int most_up(std::int32_t farthest) {
+    int up = 0;
+    while (up < 15 && farthest >> (29 - up) == 0) ++up;
+    return up;
+  }
+
+  RoughRow() = default;
+  RoughRow(const ClipMatrix& matrix, int row, int up) : offset_(matrix.offset[row] * (1 << up)) {
+    // Three coefficients are off by half a unit each, times 2^15; row() rounds by half of 2^up more.
+    static_assert(3 * (1 << 14) + (1 << 14) <= kError);
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t c = matrix.linear[row][i];
+      linear_[i] = up == 15 ? c : (c >> (15 - up)) + (c >> (14 - up) & 1);
+    }
+  }
+
+  // Sums wrap on the way.
+  std::int32_t at(const Position& p) const {
+    const auto times = [](std::int32_t c, std::int32_t v) {
+      return static_cast<std::uint32_t>(c) * static_cast<std::uint32_t>(v);
+    };
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(offset_) + times(linear_[0], p.x) +
+                                     times(linear_[1], p.y) + times(linear_[2], p.z));
+  }
+
+ private:
+  std::int32_t offset_ = 0, linear_[3] = {0, 0, 0};
+};
+
 // Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them
 // in.
 ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh);

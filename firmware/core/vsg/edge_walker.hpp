@@ -85,9 +85,9 @@ class EdgeWalker {
   void begin();
   template <typename Feed>
   bool start_fed(std::int32_t line, const Feed& feed);
-  // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&), where there is such a thing,
-  // is the face that is nearer than every other one wherever both are, or 0 where that takes planes:
-  // sink.front_alone(left, right, FaceId) gets it.
+  // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
+  // face that is nearer than every other one wherever both are, or 0 where that takes planes: sink.front_alone(left,
+  // right, FaceId) gets it.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   // Forgets the planes made so far.
@@ -206,10 +206,7 @@ void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const Sink& s
   gather_overlap();
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) return;
-  if constexpr (requires { plane.nearest(overlap_); }) {
-    const FaceId face = plane.nearest(overlap_);
-    if (face != 0) return sink.front_alone(left, right, face);
-  }
+  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) return sink.front_alone(left, right, face);
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};

@@ -7,10 +7,18 @@
 
 namespace spanline {
 
-// A depth plane that was needed once: of a face that another one overlaps.
+// What is known of the depth of a face that another one overlaps: how far it reaches or, where that did not do, its
+// plane.
 struct CachedPlane {
-  DepthPlane plane;
-  std::uint32_t face = 0;  // FaceId
+  CachedPlane() : reach{} {}
+
+  union {
+    DepthReach reach;
+    DepthPlane plane;
+  };
+  std::uint32_t face = 0;  // FaceId; and kReach
+
+  static constexpr std::uint32_t kReach = 1u << 16;
 };
 static_assert(sizeof(CachedPlane) == 16);
 
@@ -33,11 +41,25 @@ class PlaneCache {
       keep(entry, face, make);
     return entry.plane;
   }
+  // Likewise how far it reaches, which is not kept where its plane is.
+  template <typename Make>
+  DepthReach reach(FaceId face, const Make& make) {
+    CachedPlane& entry = planes_[face & mask_];
+    const std::uint32_t tag = face | CachedPlane::kReach;
+    if (entry.face == tag) return entry.reach;
+    const DepthReach reach = make(face);
+    if (entry.face != face) {
+      entry.reach = reach;
+      entry.face = tag;
+    }
+    return reach;
+  }
 
  private:
   template <typename Make>
   [[gnu::noinline]] static void keep(CachedPlane& entry, FaceId face, const Make& make) {
-    entry = {make(face), face};
+    entry.plane = make(face);
+    entry.face = face;
   }
 
   PoolRef<CachedPlane> planes_;

@@ -1,0 +1,67 @@
+#include "core/frame/depth_rows.hpp"
+
+#include <utility>
+
+namespace spanline {
+
+void DepthRows::hold(const ClipMatrix& matrix) {
+  const auto farthest = static_cast<std::int32_t>(matrix.farthest(2));
+  if (farthest > farthest_) farthest_ = farthest;
+}
+
+[[gnu::cold]] void DepthRows::find(std::uint32_t face) {
+  cursor_.to_face(face);
+  const MeshRecord& mesh = cursor_.mesh();
+  const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);
+  const int up = RoughRow::most_up(farthest_);
+  near_ = projection_.near_w << up;
+  at_ = {cursor_.first_face(),  mesh.face_count,    cursor_.first_vertex(), mesh.corners.data(),
+         mesh.positions.data(), ClipRow(matrix, 2), RoughRow(matrix, 2, up)};
+}
+
+DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
+  const Instance& at = instance_of(face);
+  const std::uint16_t* const corner = at.corners + 3 * (face - at.first_face);
+  const ScreenXY* const point = &points[at.first_vertex + 1];
+  // The matrix fits, else the walker would not have begun.
+  const auto depth = [&](int i) { return projection_.depth(at.ahead.at(at.positions[corner[i]]), normaliser_); };
+  return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
+}
+
+// Of a face, in the rough row's units, rounded outwards.
+DepthReach DepthRows::reach(std::uint32_t face) {
+  const Instance& at = instance_of(face);
+  const std::uint16_t* const corner = at.corners + 3 * (face - at.first_face);
+  const auto ahead = [&](int i) { return at.rough.at(at.positions[corner[i]]); };
+  const std::int32_t a = ahead(0), b = ahead(1), c = ahead(2);
+  std::int32_t nearest = a < b ? a : b, farthest = a < b ? b : a;
+  if (c < nearest) nearest = c;
+  if (c > farthest) farthest = c;
+  return {nearest - RoughRow::kError, farthest + RoughRow::kError};
+}
+
+// Whether what lies no farther than `farthest` is in front of what lies no nearer than `nearest` by any planes. Those
+// are off by less than half a unit of depth (of 65536) each and depths by less than a tenth, so two units between
+// near / farthest and near / nearest will do: near * (nearest - farthest) * 2^15 >= farthest * nearest.
+bool DepthRows::apart(std::int32_t farthest, std::int32_t nearest) const {
+  return nearest > farthest && mul_high(near_, nearest - farthest) > mul_high(farthest, nearest) >> 15;
+}
+
+FaceId DepthRows::nearest(const OverlapSet& set, PlaneCache& cache) {
+  const auto reach_of = [&](FaceId face) { return cache.reach(face, [this](FaceId f) { return reach(f - 1u); }); };
+  FaceId front = set[0];
+  DepthReach of_front = reach_of(front);
+  std::int32_t others = INT32_MAX;  // the nearest of the others
+  for (unsigned i = 1; i < set.count(); ++i) {
+    const DepthReach other = reach_of(set[i]);
+    std::int32_t passed = other.nearest;
+    if (other.farthest < of_front.farthest) {
+      front = set[i];
+      passed = std::exchange(of_front, other).nearest;
+    }
+    if (passed < others) others = passed;
+  }
+  return apart(of_front.farthest, others) ? front : FaceId{0};
+}
+
+}  // namespace spanline
