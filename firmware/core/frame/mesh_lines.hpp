@@ -32,25 +32,35 @@ class FaceWords {
   std::uint16_t& operator[](FaceId face) { return words_[face]; }
   DrawnFaces<std::uint16_t> drawn() const { return {&words_[0], not_drawn_}; }
 
-  // Sets faces one after another, from one on.
-  class Run {
+  // Says of faces one after another, from `first` on, whether they are drawn, but not yet in which colour.
+  class Culled {
    public:
-    Run(FaceWords& words, FaceId first) : words_(words), next_(&words.words_[first]), not_drawn_(words.not_drawn_) {}
+    Culled(FaceWords& words, FaceId first)
+        : next_(&words.words_[first]), not_drawn_(words.not_drawn_), drawn_(words.some_drawn()) {}
     void hide() { *next_++ = not_drawn_; }
-    void set(std::uint16_t color) {
-      if (color == not_drawn_) [[unlikely]]
-        not_drawn_ = words_.avoid();
-      *next_++ = color;
-    }
+    void show() { *next_++ = drawn_; }
 
    private:
-    FaceWords& words_;
     std::uint16_t* next_;
-    std::uint16_t not_drawn_;
+    std::uint16_t not_drawn_, drawn_;
   };
-  Run from(FaceId first) { return {*this, first}; }
+  Culled cull(FaceId first) { return {*this, first}; }
+  // Gives those of `count` faces that are drawn their colours, color_of(0 … count - 1).
+  template <typename ColorOf>
+  void color(FaceId first, std::uint32_t count, const ColorOf& color_of) {
+    std::uint16_t* const words = &words_[first];
+    std::uint16_t not_drawn = not_drawn_;
+    for (std::uint32_t i = 0; i != count; ++i) {
+      if (words[i] == not_drawn) continue;
+      const std::uint16_t color = color_of(i);
+      if (color == not_drawn) [[unlikely]]
+        not_drawn = avoid();
+      words[i] = color;
+    }
+  }
 
  private:
+  std::uint16_t some_drawn() const { return static_cast<std::uint16_t>(~not_drawn_); }
   std::uint16_t avoid();
 
   PoolRef<std::uint16_t> words_;
@@ -67,17 +77,17 @@ class FaceSlots {
   std::uint8_t& operator[](FaceId face) { return slots_[face]; }
   DrawnFaces<std::uint8_t> drawn() const { return {&slots_[0], kHidden}; }
 
-  // As FaceWords::Run; a face that is shown has no look yet.
-  class Run {
+  // As FaceWords::Culled; a face that is shown has no look yet.
+  class Culled {
    public:
-    explicit Run(std::uint8_t* first) : next_(first) {}
+    explicit Culled(std::uint8_t* first) : next_(first) {}
     void hide() { *next_++ = kHidden; }
-    void set(std::uint16_t) { *next_++ = 0; }
+    void show() { *next_++ = 0; }
 
    private:
     std::uint8_t* next_;
   };
-  Run from(FaceId first) { return Run(&slots_[first]); }
+  Culled cull(FaceId first) { return Culled(&slots_[first]); }
 
  private:
   static constexpr std::uint8_t kHidden = 0xff;
@@ -132,9 +142,10 @@ class MeshLines {
                            const LightRig& rig) const;
   bool give_up(bool overlaps);
   bool project(const InstanceCursor& at);
-  void light(const InstanceCursor& at);
-  template <typename Run, typename WordOf>
-  void show_fronts(const InstanceCursor& at, const FaceGroup& group, Run words, const WordOf& word_of);
+  template <typename Culled>
+  void cull(const InstanceCursor& at, Culled faces);
+  void light_faces(const InstanceCursor& at);
+  void light_vertices(const InstanceCursor& at);
 
   SceneView scene_;
   CameraRecord camera_{};

@@ -143,11 +143,18 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
     if (changes != nullptr && !changes->moved(at.index())) {
-      walker_.vertices(at.first_vertex()).file_again(at.mesh().positions.size());
+      walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
       continue;
     }
     if (!project(at)) return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", at.index()};
-    light(at);
+    const auto first = static_cast<FaceId>(at.first_face() + 1u);
+    if (smooth_.on()) {
+      cull(at, slots_.cull(first));
+    } else {
+      cull(at, words_.cull(first));
+    }
+    walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
+    smooth_.on() ? light_vertices(at) : light_faces(at);
   }
   if (changes != nullptr) changes->geometry_kept();
   line_ = top;
@@ -282,56 +289,67 @@ bool MeshLines<kTaps>::project(const InstanceCursor& at) {
   return true;
 }
 
-// Culls the instance's faces, lights those that are left and files their vertices.
+// Culls the instance's faces and marks the vertices of those that are left.
 template <bool kTaps>
-void MeshLines<kTaps>::light(const InstanceCursor& at) {
-  const MeshRecord& mesh = at.mesh();
-  const LightRig rig(scene_.scene(), at.instance().transform);
-  const bool smooth = smooth_.on();
-  const LightRig::One one = rig.one();
-  const bool quick = !smooth && rig.simple() && one.most() <= 256 && !mesh.face_normals.empty() &&
-                     screen_.format == PixelFormat::rgb565;
-  for (const FaceGroup& group : mesh.groups) {
-    const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
-    const auto first = static_cast<FaceId>(at.first_face() + 1u + group.first_face);
-    if (smooth) {
-      show_fronts(at, group, slots_.from(first), [](std::uint32_t) { return std::uint16_t{0}; });
-    } else if (quick && material.shading != MaterialRecord::kUnlit) {
-      show_fronts(at, group, words_.from(first),
-                  [one, color = material.color, normals = mesh.face_normals.data()](std::uint32_t face) {
-                    return lit_rgb565_wire(color, one.sum(normals[face]));
-                  });
-    } else {
-      show_fronts(at, group, words_.from(first),
-                  [&](std::uint32_t face) { return flat_color(at, face, material, rig); });
+template <typename Culled>
+void MeshLines<kTaps>::cull(const InstanceCursor& at, Culled faces) {
+  const ScreenXY* const points = &points_[at.first_vertex() + 1];
+  VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
+  const std::uint16_t* corner = at.mesh().corners.data();
+  for (const std::uint16_t* const end = corner + 3u * at.mesh().face_count; corner != end; corner += 3) {
+    const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
+    if (!is_front(points[a], points[b], points[c])) {
+      faces.hide();
+      continue;
     }
-  }
-  if (!smooth || mesh.vertex_normals.empty()) return;
-  const VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
-  Brightness* const level = &levels_[at.first_vertex() + 1];
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (vertices.filed(v)) level[v] = rig.brightness(mesh.vertex_normals[v], false);
+    faces.show();
+    vertices.mark(a);
+    vertices.mark(b);
+    vertices.mark(c);
   }
 }
 
-// Gives the faces of a group that are fronts their words, word_of(mesh face), and files their vertices.
+// Gives the faces that are drawn their colours.
 template <bool kTaps>
-template <typename Run, typename WordOf>
-void MeshLines<kTaps>::show_fronts(const InstanceCursor& at, const FaceGroup& group, Run words, const WordOf& word_of) {
-  const ScreenXY* const points = &points_[at.first_vertex() + 1];
-  VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
-  const std::uint16_t* corner = at.mesh().corners.data() + 3u * group.first_face;
-  const std::uint32_t end = group.first_face + std::uint32_t{group.face_count};
-  for (std::uint32_t face = group.first_face; face != end; ++face, corner += 3) {
-    const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
-    if (!is_front(points[a], points[b], points[c])) {
-      words.hide();
-      continue;
+void MeshLines<kTaps>::light_faces(const InstanceCursor& at) {
+  const MeshRecord& mesh = at.mesh();
+  const LightRig rig(scene_.scene(), at.instance().transform);
+  const LightRig::One one = rig.one();
+  const bool quick =
+      rig.simple() && one.most() <= 256 && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+  const std::uint32_t before = at.first_face() + 1u;
+  for (const FaceGroup& group : mesh.groups) {
+    const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
+    const auto first = static_cast<FaceId>(before + group.first_face);
+    if (quick && material.shading != MaterialRecord::kUnlit) {
+      words_.color(first, group.face_count,
+                   [one, color = material.color, normals = mesh.face_normals.data() + group.first_face](
+                       std::uint32_t face) { return lit_rgb565_wire(color, one.sum(normals[face])); });
+    } else {
+      words_.color(first, group.face_count,
+                   [&](std::uint32_t face) { return flat_color(at, group.first_face + face, material, rig); });
     }
-    words.set(word_of(face));
-    vertices.file(a);
-    vertices.file(b);
-    vertices.file(c);
+  }
+}
+
+// Gives the vertices of faces that are drawn their brightness.
+template <bool kTaps>
+void MeshLines<kTaps>::light_vertices(const InstanceCursor& at) {
+  const MeshRecord& mesh = at.mesh();
+  if (mesh.vertex_normals.empty()) return;
+  const LightRig rig(scene_.scene(), at.instance().transform);
+  const VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
+  Brightness* const level = &levels_[at.first_vertex() + 1];
+  const Normal10* const normal = mesh.vertex_normals.data();
+  const auto each = [&](const auto& brightness) {
+    for (std::uint32_t v = 0, count = mesh.positions.size(); v != count; ++v) {
+      if (vertices.marked(v)) level[v] = brightness(normal[v]);
+    }
+  };
+  if (rig.single()) {
+    each([one = rig.one()](const Normal10& n) { return LightRig::brightness(one.sum(n)); });
+  } else {
+    each([&rig](const Normal10& n) { return rig.brightness(n, false); });
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 namespace spanline {
 
@@ -43,6 +44,14 @@ constexpr std::int32_t saturate32(std::int64_t value) {
   if (value > INT32_MAX) return INT32_MAX;
   if (value < -INT32_MAX) return -INT32_MAX;
   return static_cast<std::int32_t>(value);
+}
+
+// value in 0 … 32767.
+constexpr std::uint32_t saturate15(std::int32_t value) {
+#if defined(__ARM_FEATURE_SAT)
+  if (!std::is_constant_evaluated()) return static_cast<std::uint32_t>(__builtin_arm_usat(value, 15));
+#endif
+  return value < 0 ? 0u : value > 32767 ? 32767u : static_cast<std::uint32_t>(value);
 }
 
 // Quotient towards minus infinity; divisor > 0.

@@ -49,11 +49,15 @@ constexpr std::int32_t first_centre(std::int32_t v) { return (v + 7) >> 4; }
 
 // Doubled signed area of a triangle; y points down, so it is negative where the triangle runs counter-clockwise to the
 // eye. Points of the guard band: it is below 2^31, whatever its terms are.
-constexpr std::int32_t doubled_area(ScreenXY a, ScreenXY b, ScreenXY c) {
+constexpr std::int32_t doubled_area(PackedXY a, PackedXY b, PackedXY c) {
   const auto product = [](std::int32_t p, std::int32_t q) {
     return static_cast<std::uint32_t>(p) * static_cast<std::uint32_t>(q);
   };
-  return static_cast<std::int32_t>(product(b.x - a.x, c.y - a.y) - product(c.x - a.x, b.y - a.y));
+  const std::int32_t x = a.x(), y = a.y();
+  return static_cast<std::int32_t>(product(b.x() - x, c.y() - y) - product(c.x() - x, b.y() - y));
+}
+constexpr std::int32_t doubled_area(ScreenXY a, ScreenXY b, ScreenXY c) {
+  return doubled_area(PackedXY(a), PackedXY(b), PackedXY(c));
 }
 
 // Whether a triangle runs counter-clockwise to the eye.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/fx/bits.hpp"
 #include "core/scene/format.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/shade/light_hue.hpp"
@@ -22,33 +23,37 @@ class LightRig {
   bool one_hue() const { return one_hue_; }
   // How bright a surface with this normal is then, in LightHue's channel.
   Brightness brightness(const Normal10& normal, bool flip) const {
-    const std::uint32_t sum = single() && !flip ? one().sum(normal) : sum_of_all(normal, flip);
-    return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
+    return brightness(single() && !flip ? one().sum(normal) : sum_of_all(normal, flip));
   }
-  // Whether neither lights nor ambient light have a hue, and that is the sum() of one() light, in every channel.
+  // Whether that is the sum() of one() light where nothing is flipped.
+  bool single() const { return count_ == 1 && uniform_; }
+  // Whether it is so in every channel, since neither light nor ambient light have a hue.
   bool simple() const { return grey_ && single(); }
 
   // LightHue's channel of a light and of the ambient light, in a mesh that is turned and scaled evenly.
   struct One {
-    std::int32_t x, y, z;  // towards the light, as LightRig::direction_
-    std::uint32_t intensity, ambient;
+    std::int32_t x, y, z;     // towards the light, as LightRig::direction_
+    std::uint32_t intensity;  // Q8.8
+    std::uint32_t ambient;    // Q8.23, and half a unit of Q8.8
 
-    std::uint32_t most() const { return ambient + intensity; }  // of sum()
+    std::uint32_t most() const { return (ambient >> 15) + intensity; }  // of sum()
     // Q8.8.
     std::uint32_t sum(const Normal10& normal) const {
       const std::int32_t dot = (x * normal.x() + y * normal.y() + z * normal.z()) >> 8;
-      if (dot <= 0) return ambient;
-      const auto amount = static_cast<std::uint32_t>(dot < 32768 ? dot : 32768);  // Q1.15
-      return ambient + ((amount * intensity + (1u << 14)) >> 15);
+      // 2^15 would be all light; a unit less of it is half a unit of light less at most, for intensities below 2^14.
+      return (ambient + saturate15(dot) * intensity) >> 15;
     }
   };
   One one() const {
     const std::int16_t(&d)[3] = direction_[0];
-    return {-d[0], -d[1], -d[2], intensity_[0][channel_], ambient_[channel_]};
+    return {-d[0], -d[1], -d[2], intensity_[0][channel_], (std::uint32_t{ambient_[channel_]} << 15) + (1u << 14)};
+  }
+  // The brightness of such a sum.
+  static Brightness brightness(std::uint32_t sum) {
+    return static_cast<Brightness>(((sum < 256 ? sum : 256) * kFullBrightness + 128) >> 8);
   }
 
  private:
-  bool single() const { return count_ == 1 && uniform_; }
   std::uint32_t sum_of_all(const Normal10& normal, bool flip) const;
   std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
   std::uint32_t turned_length(const Normal10& normal) const;

@@ -16,8 +16,9 @@ constexpr std::uint16_t rgb565_wire(std::uint32_t r, std::uint32_t g, std::uint3
 
 // The same of a colour in light `sum`, Q8.8 and at most 256, with each channel rounded to 8 bits.
 constexpr std::uint16_t lit_rgb565_wire(const Rgb8& color, std::uint32_t sum) {
-  const std::uint32_t r = color.r * sum + 128, g = color.g * sum + 128, b = color.b * sum + 128;  // 16 bits
-  return __builtin_bswap16(static_cast<std::uint16_t>((r & 0xf800u) | (g >> 5 & 0x07e0u) | b >> 11));
+  static_assert(255 * 256 + 128 < 1 << 16, "so red and blue share a word");
+  const std::uint32_t rb = (color.r | std::uint32_t{color.b} << 16) * sum + 0x00800080u, g = color.g * sum + 128;
+  return __builtin_bswap16(static_cast<std::uint16_t>((rb & 0xf800u) | (g >> 5 & 0x07e0u) | rb >> 27));
 }
 
 // Luma of ITU-R BT.601 in 8 bits; white stays 255.

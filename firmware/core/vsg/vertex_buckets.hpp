@@ -6,7 +6,7 @@
 namespace spanline {
 
 // Vertices filed under the first line whose centre lies at or below them, two bytes each and two a line. A vertex is
-// named by 1 + its number, so that a link of 0 tells of one that is not filed; kEnd ends every list.
+// named by 1 + its number, so that a link of 0 tells of one that is not to be filed; kEnd ends every list.
 class VertexBuckets {
  public:
   static constexpr std::uint16_t kEnd = 0xffff;
@@ -30,21 +30,16 @@ class VertexBuckets {
     Mesh(VertexBuckets& buckets, std::uint32_t first)
         : buckets_(buckets), links_(&buckets.links_[first + 1]), first_(first + 1) {}
 
-    // Marks the first `count` as not filed.
+    // The first `count` are not marked.
     void forget(std::uint32_t count) {
-      for (std::uint16_t *link = links_, *const end = link + count; link != end; ++link) *link = kNotFiled;
+      for (std::uint16_t *link = links_, *const end = link + count; link != end; ++link) *link = kNotMarked;
     }
-    // Files a vertex, once. Those below the last line are never reached.
-    void file(std::uint32_t vertex) {
-      if (links_[vertex] == kNotFiled) buckets_.put(static_cast<std::uint16_t>(first_ + vertex));
-    }
-    // Files those of the first `count` that were filed before.
-    void file_again(std::uint32_t count) {
-      for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
-        if (filed(vertex)) buckets_.put(static_cast<std::uint16_t>(first_ + vertex));
-      }
-    }
-    bool filed(std::uint32_t vertex) const { return links_[vertex] != kNotFiled; }
+    // To be filed.
+    void mark(std::uint32_t vertex) { links_[vertex] = kEnd; }
+    bool marked(std::uint32_t vertex) const { return links_[vertex] != kNotMarked; }
+    // Files what is marked of the first `count`, for this frame or one more. Vertices below the last line are never
+    // reached.
+    void file(std::uint32_t count);
 
    private:
     VertexBuckets& buckets_;
@@ -59,9 +54,7 @@ class VertexBuckets {
   std::uint16_t next(std::uint16_t vertex) const { return links_[vertex]; }
 
  private:
-  static constexpr std::uint16_t kNotFiled = 0;
-
-  void put(std::uint16_t vertex);
+  static constexpr std::uint16_t kNotMarked = 0;
 
   std::uint16_t& at(std::int32_t line) { return buckets_[static_cast<std::uint32_t>(line - top_ + 1)]; }
 
