@@ -14,8 +14,8 @@ using oracle::Random;
 
 template <bool kDivide>
 EdgeRun begin_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
-  ActiveEdge edge{static_cast<std::int32_t>(PackedXY(bottom).word), 0, 0, 0};
-  FromVertex(top, line).run<kDivide>(edge);
+  ActiveEdge edge{0, 0, 0, 0};
+  FromVertex(PackedXY(top), line).run<kDivide>(edge, PackedXY(bottom), 0);
   return {edge.x, edge.dx, static_cast<std::int32_t>(edge.rest / ActiveEdge::kOneLine) + 1};
 }
 

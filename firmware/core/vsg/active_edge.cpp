@@ -26,9 +26,10 @@ EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
   return run;
 }
 
-void FromVertex::run_far(ActiveEdge& edge, ScreenXY top, std::int32_t line) {
-  const ScreenXY bottom = PackedXY(static_cast<std::uint32_t>(edge.x)).unpacked();
-  const EdgeRun run = start_run(top, bottom, line);
+static_assert(kSubpixels == 16);
+void FromVertex::run_far(ActiveEdge& edge, std::uint32_t from, std::int32_t centre) {
+  const ScreenXY top = PackedXY(from).unpacked(), bottom = PackedXY(static_cast<std::uint32_t>(edge.x)).unpacked();
+  const EdgeRun run = start_run(top, bottom, centre >> 4);
   edge.x = run.x;
   edge.dx = run.dx;
   edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;

@@ -102,45 +102,55 @@ class SlopeByTable {
   }();
 };
 static_assert(SlopeByTable::stays_exact());
-static_assert(2047 * std::int64_t{(1 << 20) + 1} <= INT32_MAX, "dx times a reciprocal");
-
 // The runs of the edges that begin in one vertex.
 class FromVertex {
  public:
-  FromVertex(ScreenXY top, std::int32_t line)
-      : top_(top),
-        x_((top.x - kSubpixels / 2) * (1 << 16) + ((1 << ActiveEdge::kFraction) - 1)),
-        before_(line * kSubpixels + kSubpixels / 2 - top.y),
-        line_(line) {}
+  FromVertex(PackedXY top, std::int32_t line)
+      : x_(top.word << 16), centre_(line * kSubpixels + kSubpixels / 2), before_(centre_ - top.y()) {}
 
-  // edge.x: where the edge ends, a PackedXY; edge.rest: the face that ends. Makes them what they are on `line`. One
-  // divide, or none, where the edge is not tall and less than 128 px wide.
+  // Whether an edge to there has ended before the line.
+  bool has_ended(PackedXY bottom) const { return bottom.y() <= centre_; }
+
+  // Makes an edge to `bottom` what it is on the line; `ending`: the face that ends. One divide, or none, where the edge
+  // is not tall and less than 64 px wide.
   template <bool kDivide = kDivides>
-  void run(ActiveEdge& edge) const {
-    const PackedXY bottom(static_cast<std::uint32_t>(edge.x));
-    const std::int32_t dx = bottom.x() - top_.x, dy = bottom.y() - top_.y;
-    if (static_cast<std::uint32_t>(dx + 2047) >= 4095u || dy > kTallEdge) [[unlikely]]
-      return run_far(edge, top_, line_);
-    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest ? exact_slope(dx, dy) : SlopeByTable::of(dx, dy);
-    edge.x = x_ + ((slope * before_) >> 4);  // before < dy: the product stays within dx
+  void run(ActiveEdge& edge, PackedXY bottom, std::uint32_t ending) const {
+    const std::int32_t below = bottom.y() - centre_;
+    const std::uint32_t across = (bottom.word << 16) - x_;  // dx, in the upper half: |dx| <= 2^15, which is far
+    const std::int32_t dy = below + before_;
+    constexpr std::uint32_t kWide = 1u << 26;
+    if (across + kWide >= 2 * kWide || dy > kTallEdge) [[unlikely]] {
+      edge.x = static_cast<std::int32_t>(bottom.word);
+      edge.rest = ending;
+      return run_far(edge, static_cast<std::uint32_t>(centre_ - before_) << 16 | x_ >> 16, centre_);
+    }
+    const auto dx = static_cast<std::int32_t>(across) >> 16;
+    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest
+                                   ? exact_slope(static_cast<std::int32_t>(across << 4), dy)
+                                   : SlopeByTable::of(dx, dy);
+    static_assert(1024 * std::int64_t{(1 << 20) + 1} <= INT32_MAX, "dx times a reciprocal");
+    // Before < dy: the product stays within dx.
+    edge.x = static_cast<std::int32_t>(x_ + static_cast<std::uint32_t>((slope * before_) >> 4)) + kLessHalf;
     edge.dx = slope;
-    const std::int32_t more = (dy - before_ - 1) >> 4;  // lines after this one
-    edge.rest += static_cast<std::uint32_t>(more) * ActiveEdge::kOneLine;
+    edge.rest = ending + static_cast<std::uint32_t>((below - 1) >> 4) * ActiveEdge::kOneLine;  // lines after this one
   }
 
  private:
-  static void run_far(ActiveEdge& edge, ScreenXY top, std::int32_t line);
+  // From a point to ActiveEdge::x: half a pixel less, a pixel less a unit more.
+  static constexpr std::int32_t kLessHalf = (1 << ActiveEdge::kFraction) / 2 - 1;
 
-  static std::int32_t exact_slope(std::int32_t dx, std::int32_t dy) {  // cut off
-    const std::int32_t whole = dx * (1 << ActiveEdge::kFraction);
+  // edge.x: where it ends, edge.rest: the face that does. Both points are PackedXY. By values, so that nothing here
+  // needs a place in memory.
+  static void run_far(ActiveEdge& edge, std::uint32_t top, std::int32_t centre);
+
+  static std::int32_t exact_slope(std::int32_t whole, std::int32_t dy) {  // cut off
     const std::int32_t quotient = whole / dy;
     return quotient + ((whole - quotient * dy) >> 31);
   }
 
-  ScreenXY top_;
-  std::int32_t x_;       // of the vertex, as ActiveEdge::x
-  std::int32_t before_;  // 28.4: from the vertex to the line's centre
-  std::int32_t line_;
+  std::uint32_t x_;      // of the vertex: 28.4 in the upper half
+  std::int32_t centre_;  // of the line, 28.4
+  std::int32_t before_;  // from the vertex to there
 };
 
 }  // namespace spanline

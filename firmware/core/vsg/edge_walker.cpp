@@ -61,54 +61,66 @@ void EdgeWalker::gather_from_edges() {
   for (; fresh != begun; ++fresh) overlap_.toggle(*fresh);
 }
 
+// Of an edge that runs down in a mesh, what it toggles and the face that ends, 0 if none.
+template <typename Word>
+struct EdgeWalker::Faces {
+  CoverKey toggle = 0;
+  std::uint32_t ending = 0;
+  bool drawn;
+
+  Faces(const FanEdge& edge, const Fans<Word>& fans) {
+    // The counter-clockwise face lies on the right.
+    const std::uint32_t face = edge.face, twin = edge.twin;
+    const bool begins = face != FanEdge::kNone && fans.words[face] != fans.not_drawn;
+    const bool ends = twin != FanEdge::kNone && fans.words[twin] != fans.not_drawn;
+    constexpr CoverKey kOne = CoverKey{1} << kCoverCount;
+    drawn = begins || ends;
+    if (ends) {
+      ending = fans.first_id + twin;
+      toggle = begins ? face - twin : 0 - kOne - ending;
+    } else {
+      toggle = kOne + fans.first_id + face;
+    }
+  }
+};
+
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
   Started started{alive_end_ + 1};
   Fans<Word> fans;
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
     if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);
-    const ScreenXY top = points_[vertex];
-    ActiveEdge* const end = find_edges(fans, vertex, line, started.out);
-    if (end == nullptr) return false;
-    const FromVertex from(top, line);
-    while (started.out != end) started.run(from);
+    const FromVertex from(PackedXY(points_[vertex]), line);
+    const std::uint16_t* const start = fans.starts + (vertex - fans.first);
+    const std::uint32_t count = std::uint32_t{start[1]} - start[0];
+    const FanEdge* edge = fans.edges + start[0];
+    if (static_cast<std::ptrdiff_t>(count) > fans.last - started.out &&
+        !has_room(fans, edge, count, line, fans.last - started.out)) {
+      return false;
+    }
+    for (const FanEdge* const end = edge + count; edge != end; ++edge) {
+      const PackedXY bottom(fans.points[edge->to]);
+      if (from.has_ended(bottom)) continue;
+      const Faces<Word> faces(*edge, fans);
+      if (!faces.drawn) continue;
+      started.out->toggle = faces.toggle;
+      from.run(*started.out, bottom, faces.ending);
+      started.put_out();
+    }
   }
   end_start(started);
   return true;
 }
 
-// Puts out the edges that begin in a vertex above `line` and end below it, of faces that are drawn: where they end,
-// what they toggle and the face that ends. Null where there is no room.
+// Whether there is room for those of a fan's edges that begin.
 template <typename Word>
-ActiveEdge* EdgeWalker::find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out) {
-  const std::uint16_t* const start = fans.starts + (vertex - fans.first);
-  const FanEdge* const end = fans.edges + start[1];
-  const auto [starts, edges, points, words, not_drawn, first_id, first, count, last] = fans;
-  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
-  for (const FanEdge* edge = edges + start[0]; edge != end; ++edge) {
-    const PackedXY bottom(points[edge->to]);
-    if (bottom.y() <= lowest) continue;
-    // Of an edge that runs down, the counter-clockwise face lies on the right.
-    const std::uint32_t face = edge->face, twin = edge->twin;
-    const bool begins = face != FanEdge::kNone && words[face] != not_drawn;
-    const bool ends = twin != FanEdge::kNone && words[twin] != not_drawn;
-    constexpr CoverKey kOne = CoverKey{1} << kCoverCount;
-    CoverKey toggle;
-    std::uint32_t ending = 0;
-    if (ends) {
-      ending = first_id + twin;
-      toggle = begins ? face - twin : 0 - kOne - ending;
-    } else {
-      if (!begins) continue;
-      toggle = kOne + first_id + face;
-    }
-    if (out >= last) return nullptr;
-    out->x = static_cast<std::int32_t>(bottom.word);
-    out->toggle = toggle;
-    out->rest = ending;
-    ++out;
+bool EdgeWalker::has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count, std::int32_t line,
+                          std::ptrdiff_t room) {
+  const FromVertex from(PackedXY(0), line);
+  for (const FanEdge* const end = fan + count; fan != end; ++fan) {
+    if (!from.has_ended(PackedXY(fans.points[fan->to])) && Faces<Word>(*fan, fans).drawn) --room;
   }
-  return out;
+  return room >= 0;
 }
 
 template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);

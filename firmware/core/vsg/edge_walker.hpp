@@ -105,10 +105,9 @@ class EdgeWalker {
     ActiveEdge* out = first;
     std::int32_t furthest = INT32_MIN;  // x of the last edge put out
 
-    // Puts *out out, which FromVertex::run() is still to make. They come nearly in order.
-    void run(const FromVertex& from) {
-      from.run(*out);
-      if (out->x < furthest) {
+    // Puts *out out. They come nearly in order.
+    void put_out() {
+      if (out->x < furthest) [[unlikely]] {
         insert_back(first, out, ActiveEdge{*out});
       } else {
         furthest = out->x;
@@ -123,7 +122,10 @@ class EdgeWalker {
   template <typename Word>
   Fans<Word> fans_around(std::uint32_t vertex, const DrawnFaces<Word>& drawn);
   template <typename Word>
-  static ActiveEdge* find_edges(const Fans<Word>& fans, std::uint32_t vertex, std::int32_t line, ActiveEdge* out);
+  struct Faces;
+  template <typename Word>
+  [[gnu::noinline]] static bool has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count,
+                                         std::int32_t line, std::ptrdiff_t room);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   // Those alive end here, and none begins.
   void end_alive(ActiveEdge* end) {
@@ -156,19 +158,17 @@ class EdgeWalker {
 };
 template <typename Feed>
 bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
-  const std::int32_t lowest = line * kSubpixels + kSubpixels / 2;  // an edge to here or above has ended
   Started started{alive_end_ + 1};
   const ActiveEdge* const last = now_ + capacity_;  // for the sentinel
   bool room = true;
   feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
-    if (bottom.y <= lowest || begins == ends) return;
+    const FromVertex from(PackedXY(top), line);
+    if (from.has_ended(PackedXY(bottom)) || begins == ends) return;
     room = room && started.out < last;
     if (!room) return;
-    ActiveEdge& edge = *started.out;
-    edge.x = static_cast<std::int32_t>(PackedXY(bottom).word);
-    edge.toggle = cover_of(begins) - cover_of(ends);
-    edge.rest = ends;
-    started.run(FromVertex(top, line));
+    started.out->toggle = cover_of(begins) - cover_of(ends);
+    from.run(*started.out, PackedXY(bottom), ends);
+    started.put_out();
   });
   if (room) end_start(started);
   return room;
