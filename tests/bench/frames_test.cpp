@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
+#include "assetc/compile.hpp"
 #include "assetc/input_error.hpp"
+#include "assetc/scene_json.hpp"
 #include "frames/count.hpp"
 #include "frames/link_map.hpp"
 #include "frames/rivals.hpp"
@@ -54,6 +56,21 @@ TEST(Frames, GoIntoTheTableAndTheFile) {
             "[\n  {\n    \"scene\": \"S3\",\n    \"cpu\": \"m4\",\n    \"shading\": \"flat\",\n    \"instructions\": "
             "601000,\n    \"ram_bytes\": 10980,\n    \"text_bytes\": 12000\n  }\n]\n");
   EXPECT_NE(frames_table({frame}).find("tgx 1202 k (0.50)"), std::string::npos);
+}
+
+TEST(Units, OfACube) {
+  const host::CompiledScene scene = host::compile(host::read_scene(SPANLINE_SCENES "/S1.json"));
+  const SceneRecord record = scene.record();
+  SceneView view;
+  ASSERT_TRUE(SceneView::validate(record, view).ok());
+  const Units units = units_of(view, scene.camera(), {320, 240});
+  EXPECT_EQ(units.vertices, 24u);  // each side has its own
+  EXPECT_EQ(units.faces, 12u);
+  EXPECT_EQ(units.fronts, 6u);  // three sides
+  EXPECT_EQ(units.edges, 15u);  // four and a diagonal a side
+  EXPECT_GT(units.edge_lines, 3u * 100);
+  EXPECT_EQ(units.overlaps, 0u);
+  EXPECT_EQ(units.overlapping, 0u);
 }
 
 }  // namespace

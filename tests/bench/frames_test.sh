@@ -1,13 +1,15 @@
 #!/bin/sh
 # The benchmark's frames: each core's image shows the host's picture, takes no more than limits.txt says, and QEMU counts the
 # same instructions.
-# usage: frames_test.sh SOURCE WORK FRAMES
+# usage: frames_test.sh SOURCE WORK FRAMES SPANLINE    (the tools spanline-frames and spanline)
 set -eu
-[ $# -eq 3 ] || { echo "usage: frames_test.sh SOURCE WORK FRAMES" >&2; exit 2; }
+[ $# -eq 4 ] || { echo "usage: frames_test.sh SOURCE WORK FRAMES SPANLINE" >&2; exit 2; }
 here=$1/tests/bench
 scenes=$1/assets/scenes
 sh "$here/frames.sh" "$1" "$2" "$3" "m0plus m3 m4" "flat gouraud" "$scenes/S1.json" "$scenes/S3.json" "$scenes/S4.json"
 mv "$2/frames.json" "$2/meshes.json"
+"$3" pieces "$2" m4 m0plus
+sh "$here/kept.sh" "$1" "$2" "$4"
 # Patches as points.
 sh "$here/frames.sh" "$1" "$2" "$3" "m0plus m3 m4" gouraud "$scenes/S3-patches.json:40"
 

@@ -32,6 +32,10 @@ rows() {
   done
 } > "$work/functions.md"
 
+"$tools/spanline-frames" pieces "$work" m4 m3 m0plus > "$work/pieces.md"
+
+sh "$source/tests/bench/kept.sh" "$source" "$work" "$tools/spanline" > "$work/kept.md"
+
 sh "$source/tests/bench/growth.sh" "$source" "$work" "$tools/spanline-frames" > "$work/growth.md"
 
 mkdir -p "$work/sizes"

@@ -15,8 +15,8 @@ namespace {
 using namespace host;
 
 const BoardDescription& core_named(const std::string& cpu) {
-  if (cpu == "m0plus" || cpu == "m3" || cpu == "m4") return board_named("cortex-" + cpu);
-  throw UsageError("--cpu: '" + printable(cpu) + "' is not one of m0plus, m3, m4");
+  if (cpu == "m0plus" || cpu == "m3" || cpu == "m4" || cpu == "m7") return board_named("cortex-" + cpu);
+  throw UsageError("--cpu: '" + printable(cpu) + "' is not one of m0plus, m3, m4, m7");
 }
 
 // The image's lines "key=value".
@@ -32,17 +32,20 @@ std::map<std::string, std::string> said_by(const RunReport& run) {
 
 }  // namespace
 
-FrameCount count_frame(const std::string& path, const std::string& cpu, const Expected& expected) {
-  const Image image(path);
-  constexpr unsigned kEveryFrame = 1000;
+RunReport run_frames(const Image& image, const std::string& cpu, unsigned frames) {
   const std::uint32_t request = image.address_of("run_request");
   RunOptions options;
   options.from = "frame_begin_mark";
   options.until = "frame_end_mark";
-  options.passages = kEveryFrame;  // it stops by itself, after it has said what it found
+  options.passages = frames;
   options.words = {{request, 0}, {request + 4, boards::RunRequest::kSeal}};
-  const RunReport run = run_image(image, core_named(cpu), options);
+  return run_image(image, core_named(cpu), options);
+}
 
+FrameCount count_frame(const std::string& path, const std::string& cpu, const Expected& expected) {
+  const Image image(path);
+  constexpr unsigned kEveryFrame = 1000;  // it stops by itself, after it has said what it found
+  const RunReport run = run_frames(image, cpu, kEveryFrame);
   std::map<std::string, std::string> said = said_by(run);
   if (said["status"] != "ok") throw InputError(path, "the frame's status is '" + printable(said["status"]) + "'");
   if (said["checksum"] != std::to_string(expected.checksum)) {

@@ -20,6 +20,9 @@ struct FrameCount {
   std::uint32_t ram_bytes() const { return memory_bytes + line_bytes + stack_bytes; }
 };
 
+// Executes the image on a core, counting from mark to mark: its first frames, or all there are.
+host::RunReport run_frames(const host::Image& image, const std::string& cpu, unsigned frames);
+
 // Executes IMAGE.elf, whose map lies beside it, and counts its first frame. Throws InputError where the image reports
 // anything but the expected picture.
 FrameCount count_frame(const std::string& image, const std::string& cpu, const Expected& expected);

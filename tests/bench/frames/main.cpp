@@ -5,6 +5,7 @@
 
 #include "assetc/input_error.hpp"
 #include "frames/count.hpp"
+#include "frames/pieces.hpp"
 #include "sim/exit_code.hpp"
 #include "sim/output_file.hpp"
 
@@ -46,9 +47,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   const spanline::bench::PrepareCommand prepare(app);
   const spanline::bench::CountCommand count(app);
+  const spanline::bench::PiecesCommand pieces(app);
   return spanline::host::exit_code_of(app, [&] {
     app.parse(argc, argv);
     if (prepare.chosen()) prepare.run();
     if (count.chosen()) count.run();
+    if (pieces.chosen()) pieces.run();
   });
 }

@@ -18,10 +18,22 @@ namespace {
 
 using namespace host;
 
+nlohmann::ordered_json units_json(const Units& units) {
+  return {{"vertices", units.vertices},      {"faces", units.faces},
+          {"fronts", units.fronts},          {"edges", units.edges},
+          {"edge_lines", units.edge_lines},  {"overlaps", units.overlaps},
+          {"overlapping", units.overlapping}};
+}
+
+Units units_from(const nlohmann::json& json) {
+  return {json.at("vertices"),   json.at("faces"),    json.at("fronts"),     json.at("edges"),
+          json.at("edge_lines"), json.at("overlaps"), json.at("overlapping")};
+}
+
 // The picture of the very records that the image draws.
 Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
   const std::string stem = std::filesystem::path(scene.description().place).stem().string();
-  Expected seen{point_lines == 0 ? stem : stem + "-points", "as written", 2166136261u, 0, 0, 0};
+  Expected seen{point_lines == 0 ? stem : stem + "-points", "as written", 2166136261u, 0, 0, 0, {}};
   EngineOptions options;
   options.width = scene.description().width;
   options.height = scene.description().height;
@@ -38,6 +50,7 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
   seen.faces = static_cast<std::uint32_t>(table_sizes(scene).faces);
   seen.edge_crossings = rendering.statistics.edge_crossings;
   seen.output_segments = rendering.statistics.output_segments;
+  seen.units = units_of(view, scene.camera(), {options.width, options.height, options.format});
   return seen;
 }
 
@@ -72,15 +85,16 @@ void PrepareCommand::run() const {
                                        {"checksum", expected.checksum},
                                        {"faces", expected.faces},
                                        {"edge_crossings", expected.edge_crossings},
-                                       {"output_segments", expected.output_segments}};
+                                       {"output_segments", expected.output_segments},
+                                       {"units", units_json(expected.units)}};
   write_file(out_ + "/expected.json", json.dump(2) + "\n");
 }
 
 Expected read_expected(const std::string& folder) {
   const std::string path = folder + "/expected.json";
   const nlohmann::json json = nlohmann::json::parse(read_file(path));
-  return {json.at("scene"), json.at("shading"),        json.at("checksum"),
-          json.at("faces"), json.at("edge_crossings"), json.at("output_segments")};
+  return {json.at("scene"),          json.at("shading"),         json.at("checksum"),         json.at("faces"),
+          json.at("edge_crossings"), json.at("output_segments"), units_from(json.at("units"))};
 }
 
 }  // namespace spanline::bench

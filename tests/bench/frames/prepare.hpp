@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "frames/units.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::bench {
@@ -15,6 +16,7 @@ struct Expected {
   std::string shading;     // "flat", "gouraud", or "as written"
   std::uint32_t checksum;  // FNV-1a of the picture's bytes, as the host draws it
   std::uint32_t faces, edge_crossings, output_segments;
+  Units units{};
 };
 
 // Throws InputError where it is not there.

@@ -1,0 +1,26 @@
+// What each stage of the edge walker's frames costs for a vertex, a face, an edge, a span, a pixel.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace spanline::bench {
+
+// `spanline-frames pieces FOLDER CPU…`: from the images of S1 and S4 that frames.sh left in FOLDER, flat and Gouraud
+// shaded, a table in Markdown: instructions by stage, through the call tree, divided by what the scene has of it.
+class PiecesCommand {
+ public:
+  explicit PiecesCommand(CLI::App& app);
+  bool chosen() const { return verb_->parsed(); }
+
+  // Throws InputError, also where a stage is not found in an image.
+  void run() const;
+
+ private:
+  CLI::App* verb_;
+  std::string folder_;
+  std::vector<std::string> cpus_;
+};
+
+}  // namespace spanline::bench
