@@ -13,14 +13,14 @@ using HalfPixels = std::uint16_t __attribute__((may_alias));
 using WordPixels = std::uint32_t __attribute__((may_alias));
 
 // Words in [at, end), at least 8 of them.
-inline void fill_words_plain(WordPixels* at, WordPixels* end, std::uint32_t word) {
+inline void fill_words_plain(WordPixels* at, const WordPixels* end, std::uint32_t word) {
   for (; end - at >= 8; at += 8) at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = word;
   while (at != end) *at++ = word;
 }
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // Several words an instruction, four instructions a turn; what is left is filled from the end.
-[[gnu::noinline]] inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) {
+[[gnu::noinline]] inline void fill_words(WordPixels* at, const WordPixels* end, std::uint32_t word) {
   register std::uint32_t r3 asm("r3") = word;
   register std::uint32_t r4 asm("r4") = word;
   register std::uint32_t r5 asm("r5") = word;
@@ -61,7 +61,7 @@ inline void fill_words_plain(WordPixels* at, WordPixels* end, std::uint32_t word
 #undef SPANLINE_BLOCK
 }
 #else
-inline void fill_words(WordPixels* at, WordPixels* end, std::uint32_t word) { fill_words_plain(at, end, word); }
+inline void fill_words(WordPixels* at, const WordPixels* end, std::uint32_t word) { fill_words_plain(at, end, word); }
 #endif
 
 // Fills the RGB565 pixels [left, right) of a line that begins on a word, and up to kOvershoot more.
