@@ -1,7 +1,5 @@
 #include "hidden/laid_detail.hpp"
 
-#include <iterator>
-
 namespace spanline::host {
 namespace {
 
@@ -50,13 +48,14 @@ area::Plane plane_of(const Facet& facet) {
 
 Status DetailLayer::lay(Facet& face, std::vector<Facet>& details) {
   face.plane = plane_of(face);
-  for (auto detail = details.rbegin(); detail != details.rend(); ++detail) {
+  for (std::size_t i = details.size(); i-- > 0;) {
+    Facet& detail = details[i];
     clipper_.clear();
     put(clipper_, area::Role::subject, face);
-    put(clipper_, area::Role::clip, *detail);
+    put(clipper_, area::Role::clip, detail);
     if (const Status status = clipper_.clip(); !status.ok()) return status;
-    detail->plane = face.plane;
-    take(clipper_, area::List::inside, *detail);
+    detail.plane = face.plane;
+    take(clipper_, area::List::inside, detail);
     take(clipper_, area::List::outside, face);
   }
   return {};

@@ -109,7 +109,8 @@ struct LineFrame::Pen {
   // is taken where the middle of each pixel is, or the line ends.
   template <typename Set>
   static void run(std::int32_t low, std::int32_t high, std::int32_t across, std::int32_t rise, Set pixel) {
-    const std::int32_t slope = high > low ? rise * (1 << 15) / (high - low) : 0;  // Q15
+    const std::int32_t length = high - low;
+    const std::int32_t slope = length > 0 ? rise * (1 << 15) / length : 0;  // Q15
     for (std::int32_t at = low / kSubpixels; at <= high / kSubpixels; ++at) {
       const std::int32_t middle = at * kSubpixels + kSubpixels / 2;
       const std::int32_t place = middle < low ? low : middle > high ? high : middle;
