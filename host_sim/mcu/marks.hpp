@@ -15,7 +15,7 @@ struct Marks {
   std::uint32_t from = kNowhere, until = kNowhere;
   std::uint32_t main = kNowhere;
   std::uint32_t frame_begin = kNowhere, frame_end = kNowhere;
-  std::uint32_t next_line = kNowhere;  // Frame::next_line()
+  std::uint32_t next_line = kNowhere;  // a frame's next_line(), or a function of that name that calls it
 
   bool any(std::uint32_t address) const {
     return address == from || address == until || address == main || address == frame_begin || address == frame_end ||

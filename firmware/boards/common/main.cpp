@@ -60,13 +60,16 @@ ScanOutStorage scan_out_storage() {
   return storage;
 }
 
+// A function of its own whatever the frame: by it the simulator tells the lines apart (host_sim/mcu/marks.hpp).
+[[gnu::noinline]] bool next_line(TheFrame& frame) { return frame.next_line(lines.back()); }
+
 void draw(TheFrame& frame, Presenter<BoardPanel>& presenter) {
   presenter.begin_frame(stage.view().scene().background);
   frame.redraw(presenter.stale());
   for (Band rest{0, kScreen.height}; !rest.empty();) {
     const Band band = frame.prepare(stage.view(), stage.camera(), rest);
     if (band.empty()) break;
-    for (std::uint16_t line = band.top; frame.next_line(lines.back()); ++line) {
+    for (std::uint16_t line = band.top; next_line(frame); ++line) {
       bool in_flight;
       demand(presenter.line(line, {lines.back().data(), kLineBytes}, in_flight), line);
       if (in_flight) lines.swap();
