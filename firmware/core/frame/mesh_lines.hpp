@@ -137,7 +137,7 @@ class MeshLines {
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
-  FaceLook look_elsewhere(FaceId face);
+  bool turn_to(FaceId face, FaceLook& flat);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;
   bool give_up(bool overlaps);

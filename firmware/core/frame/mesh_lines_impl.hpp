@@ -221,9 +221,11 @@ bool MeshLines<kTaps>::has_hues(const SceneRecord& scene) const {
 template <bool kTaps>
 FaceLook MeshLines<kTaps>::look_of(FaceId face) {
   const SmoothFaces& of = smooth_faces_;
+  if (std::uint32_t{face} - of.first >= of.count) [[unlikely]] {
+    FaceLook flat{};
+    if (!turn_to(face, flat)) return flat;
+  }
   const std::uint32_t number = std::uint32_t{face} - of.first;
-  if (number >= of.count) [[unlikely]]
-    return look_elsewhere(face);
   const std::uint16_t* const corner = of.corners + 3 * number;
   const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
   const BrightnessPlane plane =
@@ -234,9 +236,9 @@ FaceLook MeshLines<kTaps>::look_of(FaceId face) {
   return FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
 }
 
-// Where it is not one of the faces at hand, which it and its group become unless they are flat.
+// The face and its group become the faces at hand; false where they are flat, and look so.
 template <bool kTaps>
-FaceLook MeshLines<kTaps>::look_elsewhere(FaceId face) {
+bool MeshLines<kTaps>::turn_to(FaceId face, FaceLook& flat) {
   InstanceCursor at(scene_.scene());
   at.to_face(face - 1u);
   const MeshRecord& mesh = at.mesh();
@@ -246,7 +248,8 @@ FaceLook MeshLines<kTaps>::look_elsewhere(FaceId face) {
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
-    return FaceLook::flat(flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform)));
+    flat = FaceLook::flat(flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform)));
+    return false;
   }
   const std::uint32_t vertex = at.first_vertex() + 1;
   smooth_faces_ = {static_cast<FaceId>(at.first_face() + 1 + group->first_face),
@@ -255,7 +258,7 @@ FaceLook MeshLines<kTaps>::look_elsewhere(FaceId face) {
                    mesh.corners.data() + 3u * group->first_face,
                    &points_[vertex],
                    &levels_[vertex]};
-  return look_of(face);
+  return true;
 }
 
 // The colour of a face drawn flat.
