@@ -2,7 +2,7 @@
 #pragma once
 
 #ifndef SPANLINE_DEMO
-#error "SPANLINE_DEMO is not defined: teapot, cubes, gears, gauges, patches, dice, house, panes or plot"
+#error "SPANLINE_DEMO is not defined: teapot, cubes, gears, gauges, patches, dice, house, panes, plot or dial"
 #endif
 
 #include "demos/all.hpp"

@@ -23,7 +23,9 @@ constexpr Budget kAmple{.width = 320,
                         .implied = 64,
                         .patch_facets = 4096,
                         .patch_vertices = 6144,
-                        .layers = 64};
+                        .layers = 64,
+                        .curves = 512,
+                        .strands = 160};
 FrameMemory<kAmple> memory;
 
 std::uint32_t sum(std::uint32_t from, Slice<const std::uint8_t> bytes) {

@@ -18,7 +18,7 @@ namespace {
 TEST(DemoVerb, ListsBareNames) {
   const ToolRun run = run_tool({"demo", "--list"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\ndice\nhouse\npanes\nplot\n");
+  EXPECT_EQ(run.out, "teapot\ncubes\ngears\ngauges\npatches\ndice\nhouse\npanes\nplot\ndial\n");
 }
 
 TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
@@ -26,8 +26,9 @@ TEST(DemoVerb, WrongNamesAreUsageErrorsThatListTheRightOnes) {
   const std::string out = folder.file("a.png");
   const ToolRun demo = run_tool({"demo", "kettle", "--board", "pico", "--out", out});
   EXPECT_EQ(demo.exit_code, 2);
-  EXPECT_EQ(demo.err,
-            "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches, dice, house, panes, plot\n");
+  EXPECT_EQ(
+      demo.err,
+      "spanline: NAME: 'kettle' is none of teapot, cubes, gears, gauges, patches, dice, house, panes, plot, dial\n");
   const ToolRun board = run_tool({"demo", "teapot", "--board", "pica", "--out", out});
   EXPECT_EQ(board.exit_code, 2);
   EXPECT_NE(board.err.find("'pica' is none of ek-lm3s6965, stm32f429i-disc1, nucleo-f411re, pico"), std::string::npos);
@@ -70,7 +71,8 @@ TEST(DemoVerb, GoesThroughAnyPanelTurnedAnyWay) {
   const TemporaryFolder folder;
   const std::string out = folder.file("a.ppm");
   for (const std::string& panel : panel_names()) {
-    for (const char* demo : {"teapot", "cubes", "gears", "gauges", "patches", "dice", "house", "panes", "plot"}) {
+    for (const char* demo :
+         {"teapot", "cubes", "gears", "gauges", "patches", "dice", "house", "panes", "plot", "dial"}) {
       const ToolRun run = run_tool({"demo", demo, "--panel", panel, "--rotation", "2", "--frame", "3", "--out", out});
       EXPECT_EQ(run.exit_code, 0) << panel << " " << demo << ": " << run.err;
     }
@@ -131,6 +133,7 @@ TEST(DemoVerb, ShowsWhatTheBoardDoesInEveryPixel) {
   check("house", in_a_boards_pools<demos::house>(5));
   check("panes", in_a_boards_pools<demos::panes>(5));
   check("plot", in_a_boards_pools<demos::plot>(5));
+  check("dial", in_a_boards_pools<demos::dial>(5));
 }
 
 TEST(DemoVerb, KnowsEveryBoardOfTheFirmware) {

@@ -15,7 +15,7 @@ namespace {
 constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kSquare{240, 240, PixelFormat::rgb565},
     kTall{240, 320, PixelFormat::rgb565}, kSmall{128, 64, PixelFormat::grey4};
 // frames after which each of kAll repeats
-constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180, 240, 240, 240, 240};
+constexpr std::uint32_t kLoops[] = {180, 360, 600, 360, 180, 240, 240, 240, 240, 360};
 
 // Where anything but background was seen.
 struct Extent {
@@ -89,6 +89,7 @@ TEST(Demos, EveryFrameFitsItsPoolsAndThePicture) {
   check_every_screen<dice>(kLoops[5]);
   check_every_screen<house>(kLoops[6]);
   check_every_screen<panes>(kLoops[7]);
+  check_every_screen<dial>(kLoops[9]);
 }
 
 template <Screen kScreen>

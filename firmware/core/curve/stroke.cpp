@@ -1,20 +1,24 @@
 #include "core/curve/stroke.hpp"
 
 #include "core/fx/root.hpp"
-#include "core/geom/screen.hpp"
 
 namespace spanline {
 namespace {
 
 // A row of samples: its height on the screen and what the discs cover of it so far, 28.4.
 struct Row {
+  static constexpr std::int32_t kNowhere = 4 * kMaxCurve;  // beyond any disc
+
   std::int32_t y;
-  std::int32_t left = INT32_MAX, right = INT32_MIN;
+  std::int32_t left = kNowhere, right = -kNowhere;
 
   void add(CurvePoint centre, std::int32_t radius) {
-    if (centre.x - radius >= left && centre.x + radius <= right) return;
+    const std::int32_t to_left = centre.x - left, to_right = right - centre.x;
+    if (to_left >= radius && to_right >= radius) return;
     const std::int32_t off = centre.y - y, square = radius * radius - off * off;
-    if (square < 0) return;
+    // Most chords are no longer than what is covered: squares tell without a root.
+    const auto within = [&](std::int32_t side) { return side >= 0 && (side >= radius || side * side >= square); };
+    if (square < 0 || (within(to_left) && within(to_right))) return;
     const auto half = static_cast<std::int32_t>(square_root(static_cast<std::uint32_t>(square)));
     if (centre.x - half < left) left = centre.x - half;
     if (centre.x + half > right) right = centre.x + half;

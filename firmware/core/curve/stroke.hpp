@@ -5,6 +5,7 @@
 
 #include "core/curve/line_coverage.hpp"
 #include "core/curve/strand.hpp"
+#include "core/geom/screen.hpp"
 
 namespace spanline {
 
@@ -13,8 +14,12 @@ struct Pen {
   std::uint16_t radius = 0;  // 1/16 px; 0: the pixels that the curve runs through
   bool smooth = false;       // 16 samples a pixel; radius > 0
 
-  // Steps of 2^-fineness px at most: a disc of radius r at each point leaves notches of step * step / 8 r at most.
-  constexpr int fineness() const { return smooth ? 2 : radius != 0 ? 1 : 0; }
+  // Steps of 2^-fineness px at most, in x and in y: a disc of radius r at each point leaves notches of step * step / 4
+  // r at most, which smooth ones of half a pixel and more keep to 1/32 px.
+  constexpr int fineness() const {
+    if (!smooth) return radius != 0 ? 1 : 0;
+    return radius < 2 * kSubpixels ? 2 : radius < 8 * kSubpixels ? 1 : 0;
+  }
 };
 
 // Draws one strand line by line, downwards.

@@ -21,7 +21,7 @@ struct CurvedPicture {
 
 inline constexpr CurvedPicture kCurves[] = {
     {"wire", &wire::scene, &wire::camera, 0xdadaa60f},
-    {"dial", &dial::scene, &dial::camera, 0xa9686f09},
+    {"dial", &dial::scene, &dial::camera, 0xeb211d94},
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x892d4cd6},
 };
 inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x62afa2a6}};
