@@ -12,13 +12,11 @@ namespace spanline::demos {
 void pose_gears(std::uint32_t frame, const Shot& shot, const Moving& moving);
 
 // Of every layout but the small one.
-inline constexpr Budget kGearsLarge{.facets = 384,
+inline constexpr Budget kGearsLarge{.facets = 2516,
                                     .vertices = 1240,
-                                    .polygons = 72,
-                                    .edges = 320,
-                                    .segments = 80,
-                                    .implied = 16,
+                                    .edges = 176,
                                     .gouraud = false,
+                                    .walker = Walker::edges,
                                     .scan_out = ScanPolicy::tiles};
 
 inline constexpr Layouts gears{"gears",

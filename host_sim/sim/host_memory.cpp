@@ -116,7 +116,7 @@ HostMemory::HostMemory(const Screen& screen, std::uint16_t band_lines, const Poo
   storage_.screen = screen;
   if (sizes.walker != Walker::edges) take_segment_pools(band_lines, sizes);
   if (sizes.walker != Walker::segments) take_mesh_pools(screen.height, sizes);
-  if (sizes.has(sizes.gouraud)) storage_.smooth = {take<FaceLook>(sizes.looks), take<ColorTable>(sizes.tables)};
+  if (sizes.gouraud) storage_.smooth = {take<FaceLook>(sizes.looks), take<ColorTable>(sizes.tables)};
   take_curve_pools(screen, band_lines, sizes);
   take_points(screen, band_lines, sizes);
 }

@@ -30,11 +30,15 @@ TEST(Golden, EveryPictureHasItsChecksum) { expect_checksums(kPictures, draw_surf
 TEST(Golden, EveryLargerPictureHasItsChecksum) {
   constexpr Budget kLargerBudget = [] {
     Budget budget = kBudget;
+    budget.polygons = 128;
+    budget.segments = 160;
     budget.curves = 96;
     budget.strands = 16;
     return budget;
   }();
   constexpr Picture kLargerPictures[] = {
+      {"gears-wide-7", demos::gears, 7, kWide, 0x8947b9d0},
+      {"gears-tall-150", demos::gears, 150, kTall, 0xd4fb0b49},
       {"dial-square-100", demos::dial, 100, kSquare, 0xcfb7df3b},
       {"dial-tall-0", demos::dial, 0, kTall, 0xdc1b1577},
       {"dial-oled-40", demos::dial, 40, kOled, 0xf487fd40},
