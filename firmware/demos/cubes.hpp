@@ -11,11 +11,14 @@ namespace spanline::demos {
 void pose_cubes(std::uint32_t frame, const Shot& shot, const Moving& moving);
 
 // Of every layout.
-inline constexpr Budget kCubesBudget{.facets = 36,
+inline constexpr Budget kCubesBudget{.facets = 16,
                                      .vertices = 24,
-                                     .edges = 24,
+                                     .polygons = 12,
+                                     .edges = 16,
+                                     .segments = 12,
+                                     .samples = 24,
+                                     .implied = 16,
                                      .gouraud = false,
-                                     .walker = Walker::edges,
                                      .scan_out = ScanPolicy::tiles};
 
 inline constexpr Layouts::Layout kCubesLarge{{&cubes_scene::scene, &cubes_scene::camera, &cubes_scene::kTarget,
