@@ -66,8 +66,8 @@ void start_edge(benchmark::State& state) {
   }
   while (state.KeepRunning()) {
     for (const auto& [top, bottom] : edges) {
-      ActiveEdge edge{static_cast<std::int32_t>(PackedXY(bottom).word), 0, cover_of(1), 0};
-      FromVertex(top, first_centre(top.y)).run<kDivide>(edge);
+      ActiveEdge edge{0, 0, cover_of(1), 0};
+      FromVertex(PackedXY(top), first_centre(top.y)).run<kDivide>(edge, PackedXY(bottom), 0);
       benchmark::DoNotOptimize(edge);
     }
   }
