@@ -10,6 +10,8 @@ void DepthRows::hold(const ClipMatrix& matrix) {
 }
 
 [[gnu::cold]] void DepthRows::find(std::uint32_t face) {
+  std::swap(at_, other_);
+  if (face - at_.first_face < at_.faces) return;
   cursor_.to_face(face);
   const MeshRecord& mesh = cursor_.mesh();
   const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);

@@ -9,7 +9,7 @@
 namespace spanline {
 
 // Depths of a scene's faces without a vertex cache: of the matrices only the row that leads to w is needed, and the
-// last instance's is kept. All faces lie inside the view.
+// last two instances' are kept. All faces lie inside the view.
 class DepthRows {
  public:
   DepthRows() = default;
@@ -51,7 +51,7 @@ class DepthRows {
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
   Normaliser normaliser_;
-  Instance at_;
+  Instance at_, other_;        // asked for last, and before that: where two overlap, their faces come by turns
   std::int32_t near_ = 0;      // the near plane, in the rough row's units
   std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
 };
