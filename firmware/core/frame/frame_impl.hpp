@@ -46,8 +46,7 @@ struct Frame<kOptions>::Sink {
       const FaceLook& look = frame.smooth_.look(static_cast<FaceId>(s.face + 1), [this](FaceId face) {
         return frame.look_of(static_cast<std::uint16_t>(face - 1));
       });
-      return painter.smooth(s.left, s.right, look.plane,
-                            frame.smooth_.colors(look.material, frame.scene_.scene()));
+      return painter.smooth(s.left, s.right, look.plane, frame.smooth_.colors(look.material, frame.scene_.scene()));
     }
     painter.span(s);
   }
