@@ -168,7 +168,7 @@ void write_stack(std::ostream& out, const BudgetReport& budget) {
   out << "  " << explain_gap(bound, budget.run) << "\n";
   for (const std::string& problem : bound.problems) out << "  unbounded: " << problem << "\n";
   if (!budget.exception || budget.exception->path.empty()) return;
-  out << "  an exception adds " << (budget.exception->problems.empty() ? "at most " : "more than ")
+  out << "  of these an exception's: " << (budget.exception->problems.empty() ? "at most " : "more than ")
       << budget.exception->bytes << " bytes, in " << plain_name(budget.exception->path.front().function)
       << "; nested ones add theirs\n";
 }

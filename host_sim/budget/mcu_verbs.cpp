@@ -100,18 +100,18 @@ struct McuVerbs::Verbs {
     const StackNotes known = notes ? read_stack_notes(image, *notes) : StackNotes{};
     const StartState start = start_of(image, board);
     report.stack = stack_bound(image, board.core, start.pc, known);
-    if (start.has_vectors) report.exception = exception_bound(image, board.core, start.vectors, known);
+    if (!start.has_vectors) return;
+    report.exception = exception_bound(image, board.core, start.vectors, known);
+    report.stack->add(*report.exception);
   }
 
-  // An exception may have come where the run was deepest.
-  static void demand_bound(const StackBound& bound, std::uint32_t exception, const RunReport& run, const Image& image) {
+  static void demand_bound(const StackBound& bound, const RunReport& run, const Image& image) {
     if (!bound.problems.empty()) {
       throw InputError(image.path(), "the stack is not bounded: " + bound.problems.front() +
                                          "; state what is known with --stack-notes, or leave it out with --no-stack");
     }
-    const std::uint32_t most = bound.bytes + exception;
-    if (most < run.stack_reached) {
-      throw InputError(image.path(), "the run's stack went " + std::to_string(run.stack_reached - most) +
+    if (bound.bytes < run.stack_reached) {
+      throw InputError(image.path(), "the run's stack went " + std::to_string(run.stack_reached - bound.bytes) +
                                          " bytes below its bound: a note of --stack-notes is wrong");
     }
   }
@@ -149,8 +149,7 @@ struct McuVerbs::Verbs {
     if (json) write_file(*json, budget_json(report));
     if (html) write_file(*html, budget_html(report));
     write_shown(shown, report.run, image);
-    const std::uint32_t exception = report.exception ? report.exception->bytes : 0;
-    if (report.stack) demand_bound(*report.stack, exception, report.run, image);
+    if (report.stack) demand_bound(*report.stack, report.run, image);
     hold_to_limits(image, report);
   }
 

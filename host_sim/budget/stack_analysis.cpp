@@ -208,7 +208,11 @@ StackBound exception_bound(const Image& image, Core core, std::uint32_t vectors,
     if (deepest.path.empty() || bound.bytes > deepest.bytes) deepest = bound;
   }
   const bool has_float = core == Core::m4 || core == Core::m7 || core == Core::m33;
-  if (!deepest.path.empty()) deepest.bytes += has_float ? kFloatFrame : kBasicFrame;
+  if (!deepest.path.empty()) {
+    const std::uint32_t frame = has_float ? kFloatFrame : kBasicFrame;
+    deepest.bytes += frame;
+    deepest.path.front().bytes += frame;
+  }
   return deepest;
 }
 

@@ -31,6 +31,12 @@ struct StackBound {
   std::uint32_t bytes = 0;            // holds where `problems` is empty
   std::vector<Step> path;             // the deepest, from the outermost function
   std::vector<std::string> problems;  // recursion and calls through pointers without a note
+
+  // An exception may come where all the rest is deepest.
+  void add(const StackBound& exception) {
+    bytes += exception.bytes;
+    path.insert(path.end(), exception.path.begin(), exception.path.end());
+  }
 };
 
 // From `entry` on, exceptions aside.

@@ -129,6 +129,13 @@ TEST(StackBound, AddsAnException) {
   elf.tick = 0x43;
   EXPECT_EQ(bytes(Core::m3), 8u + 36);
   EXPECT_EQ(bytes(Core::m4), 8u + 108);
+
+  StackBound bound{100, {{"reset", 100}}, {}};
+  bound.add(exception_bound(Image(write_tiny_elf(elf, "tick.elf")), Core::m3, 0, {}));
+  EXPECT_EQ(bound.bytes, 100u + 8 + 36);
+  ASSERT_EQ(bound.path.size(), 2u);
+  EXPECT_EQ(bound.path[1].function, "tick");
+  EXPECT_EQ(bound.path[1].bytes, 8u + 36);
 }
 
 }  // namespace
