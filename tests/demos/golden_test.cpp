@@ -50,7 +50,7 @@ TEST(Golden, EveryPictureInLinesHasItsChecksum) {
   static LineMemory<kLineBudget> memory;
   expect_checksums(kLinePictures,
                    [](const Picture& picture, demos::Stage& stage, Slice<std::uint8_t> line, std::uint32_t& crc) {
-                     return draw_lines(picture, memory.storage(), stage, line, crc);
+                     return draw(picture, memory.storage(), stage, line, crc);
                    });
 }
 

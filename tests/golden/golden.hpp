@@ -80,13 +80,18 @@ inline Status draw_stage(const FrameStorage& storage, const demos::Stage& stage,
   return draw_by(frame, storage.screen, stage, line, crc);
 }
 
+// Puts what `picture` shows on the stage.
+inline Status pose(const Picture& picture, demos::Stage& stage) {
+  const Status status = stage.begin(picture.demo, picture.screen);
+  if (status.ok()) stage.show(picture.frame);
+  return status;
+}
+
 // Draws `picture` in the pools of `storage` line by line into `line` (kMostLineBytes, on a word boundary); `crc` is of
 // all lines. Fails with the status of the stage or of the frame.
 inline Status draw(const Picture& picture, FrameStorage storage, demos::Stage& stage, Slice<std::uint8_t> line,
                    std::uint32_t& crc) {
-  const Status status = stage.begin(picture.demo, picture.screen);
-  if (!status.ok()) return status;
-  stage.show(picture.frame);
+  if (const Status status = pose(picture, stage); !status.ok()) return status;
   storage.screen = picture.screen;
   return draw_stage(storage, stage, line, crc);
 }

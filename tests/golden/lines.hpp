@@ -14,12 +14,10 @@ inline constexpr Picture kLinePictures[] = {
 
 inline constexpr Budget kLineBudget = demos::budget_for(demos::plot.framed_for(kOled), kOled);
 
-// As draw().
-inline Status draw_lines(const Picture& picture, LineStorage storage, demos::Stage& stage, Slice<std::uint8_t> line,
-                         std::uint32_t& crc) {
-  const Status status = stage.begin(picture.demo, picture.screen);
-  if (!status.ok()) return status;
-  stage.show(picture.frame);
+// As that of golden.hpp.
+inline Status draw(const Picture& picture, LineStorage storage, demos::Stage& stage, Slice<std::uint8_t> line,
+                   std::uint32_t& crc) {
+  if (const Status status = pose(picture, stage); !status.ok()) return status;
   storage.screen = picture.screen;
   LineFrame frame(storage);
   return draw_by(frame, picture.screen, stage, line, crc);
