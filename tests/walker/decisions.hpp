@@ -54,7 +54,7 @@ Decisions draw(const FrameStorage& storage, const SceneView& view, const CameraR
 
 // Pools that hold any of the random scenes; the edges can be too few.
 struct Memory {
-  explicit Memory(const Screen& screen, std::uint16_t edges = 2000)
+  explicit Memory(const Screen& screen, std::uint16_t edges = 2000, bool gouraud = true)
       : memory(screen, screen.height,
                {.facets = 4000,
                 .vertices = 4000,
@@ -62,7 +62,8 @@ struct Memory {
                 .edges = edges,
                 .segments = 2000,
                 .samples = 500,
-                .implied = 100}) {}
+                .implied = 100,
+                .gouraud = gouraud}) {}
   host::HostMemory memory;
 };
 

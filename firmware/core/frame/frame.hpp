@@ -11,12 +11,16 @@ using FrameOptions = VsgOptions;
 
 // The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
-  const bool points = budget.point_lines != 0;
-  return {.patches = points || budget.patch_facets != 0 || budget.patch_grid != 0,
+  const bool points = budget.point_lines != 0, patches = points || budget.patch_facets != 0 || budget.patch_grid != 0;
+  const bool words = budget.walker == Walker::edges && !patches && budget.format == PixelFormat::rgb565;
+  return {.patches = patches,
           .points = points,
           .layers = budget.layers != 0,
           .walker = budget.walker,
-          .changes = budget.kept_instances != 0};
+          .changes = budget.kept_instances != 0,
+          .paint = !words           ? Paint::any
+                   : budget.gouraud ? Paint::smooth_words
+                                    : Paint::flat_words};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>
@@ -159,8 +163,9 @@ class Frame {
 
 // With the edge walker alone: scenes of meshes, or with FrameOptions::patches of patches.
 template <FrameOptions kOptions>
-using EdgeFrame = MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshLines<kOptions.taps>>,
-                            kOptions.statistics, kOptions.changes>;
+using EdgeFrame =
+    MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshLines<kOptions.taps, kOptions.paint>>,
+              kOptions.statistics, kOptions.changes>;
 template <FrameOptions kOptions>
 requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
   using Base = EdgeFrame<kOptions>;

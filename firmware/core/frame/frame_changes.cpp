@@ -4,6 +4,8 @@ namespace spanline {
 
 template class Frame<FrameOptions{.changes = true}>;
 template class Frame<FrameOptions{.walker = Walker::edges, .changes = true}>;
+template class Frame<FrameOptions{.walker = Walker::edges, .changes = true, .paint = Paint::flat_words}>;
+template class Frame<FrameOptions{.walker = Walker::edges, .changes = true, .paint = Paint::smooth_words}>;
 template class Frame<FrameOptions{.walker = Walker::both, .changes = true}>;
 
 }  // namespace spanline

@@ -34,5 +34,7 @@ Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t 
 }
 
 template class MeshLines<false>;
+template class MeshLines<false, Paint::flat_words>;
+template class MeshLines<false, Paint::smooth_words>;
 
 }  // namespace spanline

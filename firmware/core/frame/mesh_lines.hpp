@@ -106,7 +106,7 @@ struct SmoothFaces {
   const Brightness* levels = nullptr;      // likewise
 };
 
-template <bool kTaps>
+template <bool kTaps, Paint kPaint = Paint::any>
 class MeshLines {
  public:
   MeshLines() = default;
@@ -127,14 +127,13 @@ class MeshLines {
   Status shortage() const;
 
  private:
-  // What spans are painted with: fill_span(); that and smooth_span(); what the format takes.
-  enum class Paint : std::uint8_t { flat_words, smooth_words, any };
-  template <Paint kPaint>
   struct Sink;
   struct Planes;
 
   [[gnu::noinline]] Status check(const SceneView& scene) const;
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
+  Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
+  bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   bool turn_to(FaceId face, FaceLook& flat);
@@ -159,8 +158,8 @@ class MeshLines {
   DepthRows rows_;
   SmoothFaces smooth_faces_;
   EdgeWalker walker_;
-  Paint paint_ = Paint::any;
-  std::uint16_t line_ = 0;  // to be made next
+  Paint found_ = Paint::any;  // where it is not decided beforehand
+  std::uint16_t line_ = 0;    // to be made next
   bool ready_ = false, overlaps_short_ = false;
 };
 

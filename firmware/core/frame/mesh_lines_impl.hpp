@@ -13,9 +13,10 @@ inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup
   return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
 }
 
-template <bool kTaps>
-template <typename MeshLines<kTaps>::Paint kPaint>
-struct MeshLines<kTaps>::Sink {
+// Which paint it is, is asked where spans of several faces or looks stop the walk, so that only the walk itself is
+// there three times.
+template <bool kTaps, Paint kPaint>
+struct MeshLines<kTaps, kPaint>::Sink {
   MeshLines& mesh;
   Painter& painter;
   const SpanTap& tap;
@@ -23,16 +24,12 @@ struct MeshLines<kTaps>::Sink {
 
   void begin(LineWalk& walk) const { walk.pixels = painter.out(); }
   WalkStop run(LineWalk& walk) const {
-    if constexpr (kPaint == Paint::any || kTaps) {
-      return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
-        one(left, right, face);
-        return true;
-      });
-    } else if constexpr (kPaint == Paint::smooth_words) {
-      return smooth_walk(walk);
-    } else {
-      return flat_walk(walk);
-    }
+    if (!kTaps && mesh.paint() == Paint::flat_words) return flat_walk(walk);
+    if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_walk(walk);
+    return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+      one(left, right, face);
+      return true;
+    });
   }
   // Sees to the look of a face, and that the brush knows it where it is smooth.
   void learn(FaceId face) const {
@@ -46,10 +43,10 @@ struct MeshLines<kTaps>::Sink {
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
   void rest(std::int32_t left) const {
-    if constexpr (kTaps || kPaint == Paint::any) {
-      if (left < mesh.screen_.width) one(left, mesh.screen_.width, 0);
-    } else {
+    if (!kTaps && mesh.paint() != Paint::any) {
       fill_exactly(painter.out(), left, mesh.screen_.width, painter.background());
+    } else if (left < mesh.screen_.width) {
+      one(left, mesh.screen_.width, 0);
     }
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
@@ -63,10 +60,8 @@ struct MeshLines<kTaps>::Sink {
 
  private:
   [[gnu::noinline]] void paint_front(std::int32_t left, std::int32_t right, FaceId face) const {
-    if (kPaint != Paint::any && right + kOvershoot <= mesh.screen_.width) {
-      if constexpr (kPaint == Paint::flat_words) {
-        return fill_span(painter.out(), left, right, mesh.words_[face]);
-      }
+    if (mesh.paint() != Paint::any && right + kOvershoot <= mesh.screen_.width) {
+      if (mesh.paint() == Paint::flat_words) return fill_span(painter.out(), left, right, mesh.words_[face]);
       const FaceLook& look = mesh.brush_.look(face);
       if (mesh.brush_.knows(face, look)) {
         return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
@@ -77,9 +72,7 @@ struct MeshLines<kTaps>::Sink {
   }
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
-    if (kPaint == Paint::flat_words || face == 0 || !mesh.smooth_.on()) {
-      return painter.fill(left, right, mesh.words_[face]);
-    }
+    if (face == 0 || !mesh.smooth()) return painter.fill(left, right, mesh.words_[face]);
     learn(face);
     const FaceLook& look = mesh.brush_.look(face);
     if (!look.smooth()) return painter.fill(left, right, look.color());
@@ -100,38 +93,38 @@ struct MeshLines<kTaps>::Sink {
     span.left = static_cast<std::uint16_t>(left);
     span.right = static_cast<std::uint16_t>(right);
     span.face = static_cast<std::uint16_t>(face - 1);
-    if (!mesh.smooth_.on()) span.payload = mesh.words_[face];
+    if (!mesh.smooth()) span.payload = mesh.words_[face];
     span.depth = ramp;
     tap.span(tap.context, span);
   }
 };
 
-template <bool kTaps>
-struct MeshLines<kTaps>::Planes {
+template <bool kTaps, Paint kPaint>
+struct MeshLines<kTaps, kPaint>::Planes {
   MeshLines& mesh;
 
   DepthPlane operator()(FaceId face) const { return mesh.rows_.plane(face - 1u, mesh.points_); }
   FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.rows_.nearest(set, cache); }
 };
 
-template <bool kTaps>
-MeshLines<kTaps>::MeshLines(const FrameStorage& storage)
+template <bool kTaps, Paint kPaint>
+MeshLines<kTaps, kPaint>::MeshLines(const FrameStorage& storage)
     : screen_(storage.screen),
       points_(storage.mesh.walker.points),
       levels_(storage.mesh.levels),
       smooth_(storage.smooth, storage.screen.format),
       words_(storage.mesh.faces),
       slots_(storage.mesh.slots),
-      walker_(storage.mesh.walker, storage.screen),
-      paint_(storage.screen.format != PixelFormat::rgb565 ? Paint::any
-             : smooth_.on()                               ? Paint::smooth_words
-                                                          : Paint::flat_words) {
+      walker_(storage.mesh.walker, storage.screen) {
+  if constexpr (kPaint == Paint::any) {
+    if (storage.screen.format == PixelFormat::rgb565) found_ = smooth() ? Paint::smooth_words : Paint::flat_words;
+  }
   points_.limit(VertexBuckets::kMostVertices);
 }
 
-template <bool kTaps>
-Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
-                               ChangedLines* changes) {
+template <bool kTaps, Paint kPaint>
+Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
+                                       ChangedLines* changes) {
   const bool still = changes == nullptr || changes->still();
   if (ready_ && still && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
   ready_ = false;
@@ -148,13 +141,13 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
     }
     if (!project(at)) return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", at.index()};
     const auto first = static_cast<FaceId>(at.first_face() + 1u);
-    if (smooth_.on()) {
+    if (smooth()) {
       cull(at, slots_.cull(first));
     } else {
       cull(at, words_.cull(first));
     }
     walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
-    smooth_.on() ? light_vertices(at) : light_faces(at);
+    smooth() ? light_vertices(at) : light_faces(at);
   }
   if (changes != nullptr) changes->geometry_kept();
   line_ = top;
@@ -163,11 +156,11 @@ Status MeshLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camer
 }
 
 // Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
-template <bool kTaps>
-void MeshLines<kTaps>::clear(std::uint16_t top, std::int32_t farthest) {
+template <bool kTaps, Paint kPaint>
+void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
   smooth_faces_ = {};
   smooth_.clear();
-  if (smooth_.on()) {
+  if (smooth()) {
     slots_[0] = 0;
     brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
   }
@@ -177,18 +170,20 @@ void MeshLines<kTaps>::clear(std::uint16_t top, std::int32_t farthest) {
 }
 
 // What the edge walker cannot draw, or not with the pools it has.
-template <bool kTaps>
-Status MeshLines<kTaps>::check(const SceneView& scene) const {
+template <bool kTaps, Paint kPaint>
+Status MeshLines<kTaps, kPaint>::check(const SceneView& scene) const {
   const auto short_of = [](const char* pool, std::uint32_t needed, std::uint32_t capacity) {
     return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
   };
+  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return {Code::bad_argument, "screen", "format"};
+  if (smooth() && !smooth_.on()) return short_of("looks", 1, 0);
   if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
-  const std::uint16_t faces = smooth_.on() ? slots_.capacity() : words_.capacity();
+  const std::uint16_t faces = smooth() ? slots_.capacity() : words_.capacity();
   if (scene.face_count() > faces) return short_of("facets", scene.face_count(), faces);
   if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
   if (!scene.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
-  if (smooth_.on()) {
+  if (smooth()) {
     if (scene.vertex_count() > levels_.capacity()) {
       return short_of("levels", scene.vertex_count(), levels_.capacity());
     }
@@ -208,8 +203,8 @@ Status MeshLines<kTaps>::check(const SceneView& scene) const {
 }
 
 // Whether a smooth triangle would need more than its brightness.
-template <bool kTaps>
-bool MeshLines<kTaps>::has_hues(const SceneRecord& scene) const {
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::has_hues(const SceneRecord& scene) const {
   bool gouraud = false;
   for (const MaterialRecord& material : scene.materials) {
     gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
@@ -218,8 +213,8 @@ bool MeshLines<kTaps>::has_hues(const SceneRecord& scene) const {
 }
 
 // How a face looks in a smooth scene, where its word is not a colour.
-template <bool kTaps>
-FaceLook MeshLines<kTaps>::look_of(FaceId face) {
+template <bool kTaps, Paint kPaint>
+FaceLook MeshLines<kTaps, kPaint>::look_of(FaceId face) {
   const SmoothFaces& of = smooth_faces_;
   if (std::uint32_t{face} - of.first >= of.count) [[unlikely]] {
     FaceLook flat{};
@@ -237,8 +232,8 @@ FaceLook MeshLines<kTaps>::look_of(FaceId face) {
 }
 
 // The face and its group become the faces at hand; false where they are flat, and look so.
-template <bool kTaps>
-bool MeshLines<kTaps>::turn_to(FaceId face, FaceLook& flat) {
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
   InstanceCursor at(scene_.scene());
   at.to_face(face - 1u);
   const MeshRecord& mesh = at.mesh();
@@ -262,9 +257,9 @@ bool MeshLines<kTaps>::turn_to(FaceId face, FaceLook& flat) {
 }
 
 // The colour of a face drawn flat.
-template <bool kTaps>
-std::uint16_t MeshLines<kTaps>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
-                                           const MaterialRecord& material, const LightRig& rig) const {
+template <bool kTaps, Paint kPaint>
+std::uint16_t MeshLines<kTaps, kPaint>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
+                                                   const MaterialRecord& material, const LightRig& rig) const {
   const std::uint16_t first_corner = at.mesh().corners[3 * mesh_face];
   const Rgb8 color = material.shading == MaterialRecord::kUnlit
                          ? material.color
@@ -273,8 +268,8 @@ std::uint16_t MeshLines<kTaps>::flat_color(const InstanceCursor& at, std::uint32
 }
 
 // Puts the instance's vertices on the screen. False where one lies out of the view, or fronts have become backs.
-template <bool kTaps>
-bool MeshLines<kTaps>::project(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
   if (matrix.mirrored || !matrix.fits()) return false;
   rows_.hold(matrix);
@@ -293,9 +288,9 @@ bool MeshLines<kTaps>::project(const InstanceCursor& at) {
 }
 
 // Culls the instance's faces and marks the vertices of those that are left.
-template <bool kTaps>
+template <bool kTaps, Paint kPaint>
 template <typename Culled>
-void MeshLines<kTaps>::cull(const InstanceCursor& at, Culled faces) {
+void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
   const ScreenXY* const points = &points_[at.first_vertex() + 1];
   VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
   const std::uint16_t* corner = at.mesh().corners.data();
@@ -313,8 +308,8 @@ void MeshLines<kTaps>::cull(const InstanceCursor& at, Culled faces) {
 }
 
 // Gives the faces that are drawn their colours.
-template <bool kTaps>
-void MeshLines<kTaps>::light_faces(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint>
+void MeshLines<kTaps, kPaint>::light_faces(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   const LightRig rig(scene_.scene(), at.instance().transform);
   const LightRig::One one = rig.one();
@@ -336,8 +331,8 @@ void MeshLines<kTaps>::light_faces(const InstanceCursor& at) {
 }
 
 // Gives the vertices of faces that are drawn their brightness.
-template <bool kTaps>
-void MeshLines<kTaps>::light_vertices(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint>
+void MeshLines<kTaps, kPaint>::light_vertices(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   if (mesh.vertex_normals.empty()) return;
   const LightRig rig(scene_.scene(), at.instance().transform);
@@ -356,8 +351,8 @@ void MeshLines<kTaps>::light_vertices(const InstanceCursor& at) {
   }
 }
 
-template <bool kTaps>
-bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
@@ -366,40 +361,24 @@ bool MeshLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap&
     return true;
   }
   if (!walker_.is_quiet(line)) {
-    const bool room =
-        smooth_.on() ? walker_.start_edges(line, slots_.drawn()) : walker_.start_edges(line, words_.drawn());
+    const bool room = smooth() ? walker_.start_edges(line, slots_.drawn()) : walker_.start_edges(line, words_.drawn());
     if (!room) return give_up(false);
   }
-  const auto walk = [&]<Paint kPaint>(Sink<kPaint>* none) {
-    static_cast<void>(none);
-    return walker_.walk(line, Sink<kPaint>{*this, painter, tap, line}, Planes{*this});
-  };
-  bool whole = false;
-  switch (paint_) {
-    case Paint::flat_words:
-      whole = walk(static_cast<Sink<Paint::flat_words>*>(nullptr));
-      break;
-    case Paint::smooth_words:
-      brush_.begin_line(line, painter.background());
-      whole = walk(static_cast<Sink<Paint::smooth_words>*>(nullptr));
-      break;
-    case Paint::any:
-      whole = walk(static_cast<Sink<Paint::any>*>(nullptr));
-  }
-  if (!whole) return give_up(true);
+  if (paint() == Paint::smooth_words) brush_.begin_line(line, painter.background());
+  if (!walker_.walk(line, Sink{*this, painter, tap, line}, Planes{*this})) return give_up(true);
   ++line_;
   return true;
 }
 
-template <bool kTaps>
-bool MeshLines<kTaps>::give_up(bool overlaps) {
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::give_up(bool overlaps) {
   ready_ = false;
   overlaps_short_ = overlaps;
   return false;
 }
 
-template <bool kTaps>
-Status MeshLines<kTaps>::shortage() const {
+template <bool kTaps, Paint kPaint>
+Status MeshLines<kTaps, kPaint>::shortage() const {
   const std::uint32_t capacity = overlaps_short_ ? OverlapSet::kMost : walker_.edge_capacity();
   return {Code::pool_exhausted, overlaps_short_ ? "overlaps" : "edges", "", 0, line_, capacity + 1, capacity};
 }

@@ -14,6 +14,10 @@ enum class XSort : std::uint8_t { list, buckets };
 // back on. The picture is the same.
 enum class Walker : std::uint8_t { segments, edges, both };
 
+// What the edge walker's spans are painted with: what the storage asks for; or with the code of nothing else,
+// fill_span(), or that and smooth_span(), into lines of RGB565.
+enum class Paint : std::uint8_t { any, flat_words, smooth_words };
+
 // What is compiled in. A structural type: used as a template argument.
 struct VsgOptions {
   Comparator comparator = Comparator::plane;
@@ -25,6 +29,7 @@ struct VsgOptions {
   bool layers = false;      // surface detail and see-through polygons are drawn: the pools of Budget::layers
   Walker walker = Walker::segments;
   bool changes = false;  // lines that show what they showed are not drawn again: the storage of Budget::kept_instances
+  Paint paint = Paint::any;  // of meshes, where the walker is that of edges alone
 };
 
 }  // namespace spanline

@@ -24,7 +24,7 @@ struct Rule {
   Piece piece;
 };
 constexpr Rule kRules[] = {{"::project(", kVertex},
-                           {"MeshLines<false>::begin(", kFace},
+                           {">::begin(spanline::SceneView", kFace},
                            {"::cull<", kFace},
                            {"::light_", kFace},
                            {"VertexBuckets::Mesh::file", kFace},
