@@ -31,7 +31,7 @@ DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points)
 }
 
 // Of a face, in the rough row's units, rounded outwards.
-DepthReach DepthRows::reach(std::uint32_t face) {
+void DepthRows::reach(std::uint32_t face, DepthReach& to) {
   const Instance& at = instance_of(face);
   const std::uint16_t* const corner = at.corners + 3 * (face - at.first_face);
   const auto ahead = [&](int i) { return at.rough.at(at.positions[corner[i]]); };
@@ -39,7 +39,7 @@ DepthReach DepthRows::reach(std::uint32_t face) {
   std::int32_t nearest = a < b ? a : b, farthest = a < b ? b : a;
   if (c < nearest) nearest = c;
   if (c > farthest) farthest = c;
-  return {nearest - RoughRow::kError, farthest + RoughRow::kError};
+  to = {nearest - RoughRow::kError, farthest + RoughRow::kError};
 }
 
 // Whether what lies no farther than `farthest` is in front of what lies no nearer than `nearest` by any planes. Those
@@ -50,16 +50,27 @@ bool DepthRows::apart(std::int32_t farthest, std::int32_t nearest) const {
 }
 
 FaceId DepthRows::nearest(const OverlapSet& set, PlaneCache& cache) {
-  const auto reach_of = [&](FaceId face) { return cache.reach(face, [this](FaceId f) { return reach(f - 1u); }); };
+  const auto reach_of = [&](FaceId face) {
+    return cache.reach(face, [this](FaceId f, DepthReach& to) { reach(f - 1u, to); });
+  };
   FaceId front = set[0];
-  DepthReach of_front = reach_of(front);
+  const DepthReach* reach = reach_of(front);
+  if (reach == nullptr) return 0;
+  DepthReach of_front = *reach;
+  if (set.count() == 2) [[likely]] {
+    reach = reach_of(set[1]);
+    if (reach == nullptr) return 0;
+    if (of_front.farthest < reach->nearest) return apart(of_front.farthest, reach->nearest) ? front : FaceId{0};
+    return apart(reach->farthest, of_front.nearest) ? set[1] : FaceId{0};
+  }
   std::int32_t others = INT32_MAX;  // the nearest of the others
   for (unsigned i = 1; i < set.count(); ++i) {
-    const DepthReach other = reach_of(set[i]);
-    std::int32_t passed = other.nearest;
-    if (other.farthest < of_front.farthest) {
+    reach = reach_of(set[i]);
+    if (reach == nullptr) return 0;
+    std::int32_t passed = reach->nearest;
+    if (reach->farthest < of_front.farthest) {
       front = set[i];
-      passed = std::exchange(of_front, other).nearest;
+      passed = std::exchange(of_front, *reach).nearest;
     }
     if (passed < others) others = passed;
   }

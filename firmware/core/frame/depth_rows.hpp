@@ -43,7 +43,7 @@ class DepthRows {
     return at_;
   }
   void find(std::uint32_t face);
-  DepthReach reach(std::uint32_t face);
+  void reach(std::uint32_t face, DepthReach& to);
   bool apart(std::int32_t farthest, std::int32_t nearest) const;
 
   InstanceCursor cursor_;

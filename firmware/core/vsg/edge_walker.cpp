@@ -46,19 +46,59 @@ void EdgeWalker::end_start(const Started& started) {
   started.first[-1].x = started.out->x = ActiveEdge::kNever;
 }
 
-// The order of edges in one column is not that of their faces: only between columns is the key what it says.
-void EdgeWalker::gather_from_edges() {
-  const std::int32_t left = walk_.left;
-  const ActiveEdge* const alive = walk_.alive();
-  const ActiveEdge* const begun = walk_.begun();
+// Edges that lie in one column, up to where the walk has come.
+struct EdgeWalker::Column {
+  const ActiveEdge *first, *end;  // of those alive
+  const ActiveEdge *begun, *begun_end;
+
+  // The first edge of which holds(edge).
+  template <typename Holds>
+  const ActiveEdge* find(const Holds& holds) const {
+    for (const ActiveEdge* e = first; e != end; ++e) {
+      if (holds(*e)) return e;
+    }
+    for (const ActiveEdge* e = begun; e != begun_end; ++e) {
+      if (holds(*e)) return e;
+    }
+    return nullptr;
+  }
+  template <typename Take>
+  void each(const Take& take) const {
+    find([&take](const ActiveEdge& e) {
+      take(e);
+      return false;
+    });
+  }
+  // A face that begins here and does not end here; 0: none.
+  [[gnu::noinline]] FaceId begins() const {
+    const ActiveEdge* const edge = find([this](const ActiveEdge& e) {
+      const FaceId face = e.beginning();
+      return face != 0 && find([face](const ActiveEdge& other) { return other.ending() == face; }) == nullptr;
+    });
+    return edge != nullptr ? edge->beginning() : FaceId{0};
+  }
+};
+
+// Brings the set of faces up to date with the edges in the column that the walk has come to. Of two faces mostly one
+// begins there, and the key knows the other.
+void EdgeWalker::gather_overlap() {
+  const ActiveEdge *const alive = walk_.alive(), *const begun = walk_.begun();
+  const ActiveEdge *first = alive, *fresh = begun;
   CoverKey key = walk_.key;
-  const ActiveEdge *edge = alive, *fresh = begun;
-  const auto at_left = [&](const ActiveEdge& e) { return left == 0 || e.column() >= left; };
-  while (edge != now_ && at_left(edge[-1])) key -= (--edge)->toggle;
-  while (fresh != alive_end_ + 1 && at_left(fresh[-1])) key -= (--fresh)->toggle;
+  const std::int32_t from = walk_.left == 0 ? INT32_MIN : walk_.left;  // what lies left of the screen is at 0, too
+  while (first != now_ && first[-1].column() >= from) --first;
+  while (fresh != alive_end_ + 1 && fresh[-1].column() >= from) --fresh;
+  if (key >> kCoverCount == 2) [[likely]] {
+    const bool alone = (alive - first) + (begun - fresh) == 1;
+    const FaceId face =
+        alone ? (first != alive ? first : fresh)->beginning() : Column{first, alive, fresh, begun}.begins();
+    if (face != 0) return overlap_.set(face, static_cast<FaceId>(key - face));
+  }
+  // The order of edges in one column is not that of their faces: only between columns is the key what it says.
+  const Column column{first, alive, fresh, begun};
+  column.each([&key](const ActiveEdge& e) { key -= e.toggle; });
   if (key < kTwoFaces) overlap_.set(only_face(key));
-  for (; edge != alive; ++edge) overlap_.toggle(*edge);
-  for (; fresh != begun; ++fresh) overlap_.toggle(*fresh);
+  column.each([this](const ActiveEdge& e) { overlap_.toggle(e); });
 }
 
 // Of an edge that runs down in a mesh, what it toggles and the face that ends, 0 if none.

@@ -137,9 +137,8 @@ class EdgeWalker {
                                const Again& again);
   template <typename Sink, typename Plane, typename Again>
   [[gnu::noinline]] bool cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  struct Column;
   void gather_overlap();
-  void gather_from_edges();
-  FaceId begun_alone() const;
   template <typename Sink, typename Plane>
   [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
@@ -172,31 +171,6 @@ bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
   });
   if (room) end_start(started);
   return room;
-}
-
-// Brings the set of faces up to date with the edges in the column that the walk has come to. Mostly one edge begins one
-// of two faces, and the key knows the other.
-inline void EdgeWalker::gather_overlap() {
-  const FaceId face = walk_.key >> kCoverCount == 2 ? begun_alone() : FaceId{0};
-  if (face == 0) return gather_from_edges();
-  overlap_.set(face, static_cast<FaceId>(walk_.key - face));
-}
-
-// The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
-inline FaceId EdgeWalker::begun_alone() const {
-  const std::int32_t left = walk_.left;
-  if (left == 0) return 0;  // what lies left of the screen is there, too
-  const auto at_left = [left](const ActiveEdge* first, const ActiveEdge* end) {
-    return end != first && end[-1].column() == left;
-  };
-  const ActiveEdge *first = now_, *end = walk_.alive();
-  const bool of_alive = at_left(first, end), of_begun = at_left(alive_end_ + 1, walk_.begun());
-  if (of_alive == of_begun) return 0;
-  if (of_begun) {
-    first = alive_end_ + 1;
-    end = walk_.begun();
-  }
-  return at_left(first, end - 1) ? FaceId{0} : end[-1].beginning();
 }
 
 // Shows the span of several faces that the walk has come to.

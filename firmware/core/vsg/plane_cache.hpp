@@ -41,18 +41,17 @@ class PlaneCache {
       keep(entry, face, make);
     return entry.plane;
   }
-  // Likewise how far it reaches, which is not kept where its plane is.
+  // Likewise how far it reaches, which make(face, reach) says; nullptr where its plane is here.
   template <typename Make>
-  DepthReach reach(FaceId face, const Make& make) {
+  const DepthReach* reach(FaceId face, const Make& make) {
     CachedPlane& entry = planes_[face & mask_];
     const std::uint32_t tag = face | CachedPlane::kReach;
-    if (entry.face == tag) return entry.reach;
-    const DepthReach reach = make(face);
-    if (entry.face != face) {
-      entry.reach = reach;
+    if (entry.face != tag) [[unlikely]] {
+      if (entry.face == face) return nullptr;
       entry.face = tag;
+      make(face, entry.reach);
     }
-    return reach;
+    return &entry.reach;
   }
 
  private:
