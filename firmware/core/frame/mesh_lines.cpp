@@ -5,7 +5,7 @@ namespace spanline {
 
 // Takes another value for what is not drawn, which no word has: of the pool's, since those of faces that are not set
 // any more may be kept.
-std::uint16_t FaceWords::avoid() {
+[[gnu::cold]] std::uint16_t FaceWords::avoid() {
   const std::uint16_t old = not_drawn_;
   std::uint16_t* const first = &words_[1];
   std::uint16_t* const end = first + words_.capacity();
@@ -24,12 +24,12 @@ std::uint16_t FaceWords::avoid() {
   return not_drawn_;
 }
 
-Status check_band(Band rest, const Screen& screen) {
+[[gnu::cold]] Status check_band(Band rest, const Screen& screen) {
   if (!rest.empty() && rest.bottom <= screen.height) return {};
   return {Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen.height};
 }
 
-Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
+[[gnu::cold]] Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
   return {Code::bad_argument, "line", out.size() < bytes ? "size" : "alignment", 0, line, out.size(), bytes};
 }
 

@@ -72,11 +72,16 @@ struct MeshLines<kTaps, kPaint>::Sink {
   }
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
-    if (face == 0 || !mesh.smooth()) return painter.fill(left, right, mesh.words_[face]);
+    if (face == 0 || !mesh.smooth()) return fill(left, right, mesh.words_[face]);
     learn(face);
     const FaceLook& look = mesh.brush_.look(face);
-    if (!look.smooth()) return painter.fill(left, right, look.color());
-    painter.smooth(left, right, look.plane, mesh.brush_.colors());
+    if (!look.smooth()) return fill(left, right, look.color());
+    if constexpr (kPaint == Paint::any) return painter.smooth(left, right, look.plane, mesh.brush_.colors());
+    smooth_exactly(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
+  }
+  [[gnu::noinline]] void fill(std::uint32_t left, std::uint32_t right, std::uint16_t color) const {
+    if constexpr (kPaint == Paint::any) return painter.fill(left, right, color);
+    fill_exactly(painter.out(), static_cast<std::int32_t>(left), static_cast<std::int32_t>(right), color);
   }
   void report_alone(std::int32_t left, std::int32_t right, FaceId face) const {
     DepthRamp ramp;
@@ -108,7 +113,7 @@ struct MeshLines<kTaps, kPaint>::Planes {
 };
 
 template <bool kTaps, Paint kPaint>
-MeshLines<kTaps, kPaint>::MeshLines(const FrameStorage& storage)
+[[gnu::cold]] MeshLines<kTaps, kPaint>::MeshLines(const FrameStorage& storage)
     : screen_(storage.screen),
       points_(storage.mesh.walker.points),
       levels_(storage.mesh.levels),
@@ -157,7 +162,7 @@ Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 
 // Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
 template <bool kTaps, Paint kPaint>
-void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
+[[gnu::cold]] void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
   smooth_faces_ = {};
   smooth_.clear();
   if (smooth()) {
@@ -171,7 +176,7 @@ void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
 
 // What the edge walker cannot draw, or not with the pools it has.
 template <bool kTaps, Paint kPaint>
-Status MeshLines<kTaps, kPaint>::check(const SceneView& scene) const {
+[[gnu::cold]] Status MeshLines<kTaps, kPaint>::check(const SceneView& scene) const {
   const auto short_of = [](const char* pool, std::uint32_t needed, std::uint32_t capacity) {
     return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
   };
@@ -204,7 +209,7 @@ Status MeshLines<kTaps, kPaint>::check(const SceneView& scene) const {
 
 // Whether a smooth triangle would need more than its brightness.
 template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::has_hues(const SceneRecord& scene) const {
+[[gnu::cold]] bool MeshLines<kTaps, kPaint>::has_hues(const SceneRecord& scene) const {
   bool gouraud = false;
   for (const MaterialRecord& material : scene.materials) {
     gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
@@ -356,7 +361,7 @@ bool MeshLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const 
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
-    painter.fill(0, screen_.width, painter.background());
+    Sink{*this, painter, tap, line}.rest(0);
     ++line_;
     return true;
   }
@@ -378,7 +383,7 @@ bool MeshLines<kTaps, kPaint>::give_up(bool overlaps) {
 }
 
 template <bool kTaps, Paint kPaint>
-Status MeshLines<kTaps, kPaint>::shortage() const {
+[[gnu::cold]] Status MeshLines<kTaps, kPaint>::shortage() const {
   const std::uint32_t capacity = overlaps_short_ ? OverlapSet::kMost : walker_.edge_capacity();
   return {Code::pool_exhausted, overlaps_short_ ? "overlaps" : "edges", "", 0, line_, capacity + 1, capacity};
 }

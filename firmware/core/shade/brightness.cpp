@@ -1,12 +1,13 @@
 #include "core/shade/brightness.hpp"
 
+#include "core/fx/rare_div.hpp"
 #include "core/shade/light_hue.hpp"
 #include "core/shade/pixel.hpp"
 
 namespace spanline {
 
 BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
-                                         std::int32_t rise2) {
+                                                       std::int32_t rise2) {
   const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
   const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
   const std::int64_t area = dx1 * dy2 - dx2 * dy1;
@@ -14,14 +15,14 @@ BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t 
   const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << kBrightnessBits);
   const std::int64_t divisor = area < 0 ? -area : area;
   // Rises are below 2^8, distances up to 2^16: below 2^46.
-  const std::int64_t right = round_div((rise1 * dy2 - rise2 * dy1) * scale, divisor);
-  const std::int64_t down = round_div((rise2 * dx1 - rise1 * dx2) * scale, divisor);
+  const std::int64_t right = rare_round_div((rise1 * dy2 - rise2 * dy1) * scale, divisor);
+  const std::int64_t down = rare_round_div((rise2 * dx1 - rise1 * dx2) * scale, divisor);
   const std::int64_t climb = right * (kSubpixels / 2 - at[0].x) + down * (kSubpixels / 2 - at[0].y);
   return {start + static_cast<std::uint32_t>(climb >> 4), static_cast<std::uint32_t>(right),
           static_cast<std::uint32_t>(down)};
 }
 
-void SmoothCache::clear() {
+[[gnu::cold]] void SmoothCache::clear() {
   if (!on()) return;
   for (std::uint32_t i = 0; i <= looks_.capacity(); ++i) looks_[i].face = 0;
   oldest_ = 0;

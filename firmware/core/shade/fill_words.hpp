@@ -112,4 +112,14 @@ inline void smooth_span(std::uint8_t* line, std::int32_t left, std::int32_t righ
   }
 }
 
+// The same, and no pixel more.
+inline void smooth_exactly(std::uint8_t* line, std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
+                           std::uint32_t y, const std::uint16_t* colors) {
+  const std::uint32_t even = right & ~1u;
+  if (left < even)
+    smooth_span(line, static_cast<std::int32_t>(left), static_cast<std::int32_t>(even), plane, y, colors);
+  if (even == right) return;
+  reinterpret_cast<HalfPixels*>(line)[even] = colors[BrightnessPlane::entry(plane.at(even, y))];
+}
+
 }  // namespace spanline

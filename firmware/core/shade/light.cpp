@@ -57,6 +57,15 @@ void cofactors(const Matrix& m, Matrix& out) {
   normalise([&](int i, int j) { return determinant < 0 ? -minor(i, j) : minor(i, j); }, out);
 }
 
+// value / divisor, cut off, for |value| below 2^46 and divisors of 15 bits whose quotient fits: two digits of 16 bits.
+std::int32_t quotient(std::int64_t value, std::uint32_t divisor) {
+  const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
+  const auto upper = static_cast<std::uint32_t>(magnitude >> 16);
+  const std::uint32_t rest = upper % divisor << 16 | (static_cast<std::uint32_t>(magnitude) & 0xffffu);
+  const auto result = static_cast<std::int32_t>((upper / divisor << 16) + rest / divisor);
+  return value < 0 ? -result : result;
+}
+
 }  // namespace
 
 [[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
@@ -68,15 +77,16 @@ void cofactors(const Matrix& m, Matrix& out) {
   one_hue_ = hue.one();
   channel_ = static_cast<std::int8_t>(hue.channel());
   cofactors(shape, turned);
-  const auto length = static_cast<std::int32_t>(square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0))));
+  const std::uint32_t length = square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0)));
   for (std::uint32_t l = 0; l < count_; ++l) {
     const LightRecord& light = scene.lights[l];
     for (int j = 0; j < 3; ++j) {
       std::int64_t sum = 0;  // Q30 times 14 bits
       for (int k = 0; k < 3; ++k) sum += std::int64_t{light.direction[k].raw} * turned[k][j];
       // Where the length is left to each normal, the direction stays in units of the cofactors.
-      const std::int64_t unit = uniform_ && length != 0 ? sum / length : sum >> 14;
-      direction_[l][j] = static_cast<std::int16_t>(unit * 512 / 511 >> 16);
+      // Either way it is Q30, of a vector of at most sqrt(3).
+      const std::int32_t unit = uniform_ && length != 0 ? quotient(sum, length) : static_cast<std::int32_t>(sum >> 14);
+      direction_[l][j] = static_cast<std::int16_t>((unit + unit / 511) >> 16);
       intensity_[l][j] = light.intensity[j];
     }
   }

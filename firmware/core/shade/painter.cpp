@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::uint32_t kAllSamples = 16;  // of a pixel
 
-// What smooth_span() fills, and no pixel more.
-void smooth_pairs(std::uint8_t* line, std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
-                  std::uint32_t y, const std::uint16_t* colors) {
-  const std::uint32_t even = right & ~1u;
-  if (left < even)
-    smooth_span(line, static_cast<std::int32_t>(left), static_cast<std::int32_t>(even), plane, y, colors);
-  if (even == right) return;
-  reinterpret_cast<HalfPixels*>(line)[even] = colors[BrightnessPlane::entry(plane.at(even, y))];
-}
-
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint32_t part, std::uint32_t whole) {
   return static_cast<std::uint8_t>((a * (whole - part) + b * part + whole / 2) / whole);
 }
@@ -71,7 +61,7 @@ void Painter::fill(std::uint32_t left, std::uint32_t right, std::uint16_t payloa
 
 void Painter::smooth(std::uint32_t left, std::uint32_t right, const BrightnessPlane& plane,
                      const std::uint16_t* colors) {
-  if (screen_.format == PixelFormat::rgb565) return smooth_pairs(out_, left, right, plane, line_, colors);
+  if (screen_.format == PixelFormat::rgb565) return smooth_exactly(out_, left, right, plane, line_, colors);
   std::uint32_t bright = plane.at(left, line_);
   for (; left < right; ++left, bright += plane.right) put_grey(left, colors[BrightnessPlane::entry(bright)]);
 }

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/fx/bits.hpp"
+#include "core/fx/rare_div.hpp"
 #include "core/geom/gradient.hpp"
 
 namespace spanline {
@@ -54,9 +55,9 @@ DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3],
   // Distances are below 2^16, so this is below 2^63.
   const std::int64_t climb =
       (along_x * (centre(column) - at[0].x) + along_y * (centre(line) - at[0].y)) * (1 << kRampShift);
-  plane.ramp.slope = static_cast<std::uint32_t>(round_div(along_x * (kSubpixels << kRampShift), area));
-  plane.down = static_cast<std::uint32_t>(round_div(along_y * (kSubpixels << kRampShift), area));
-  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(floor_div(climb, area)) -
+  plane.ramp.slope = static_cast<std::uint32_t>(rare_round_div(along_x * (kSubpixels << kRampShift), area));
+  plane.down = static_cast<std::uint32_t>(rare_round_div(along_y * (kSubpixels << kRampShift), area));
+  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(rare_floor_div(climb, area)) -
                        plane.ramp.slope * static_cast<std::uint32_t>(column) -
                        plane.down * static_cast<std::uint32_t>(line);
   return plane;
