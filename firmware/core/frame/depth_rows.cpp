@@ -17,6 +17,11 @@ void DepthRows::hold(const ClipMatrix& matrix) {
   const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);
   const int up = RoughRow::most_up(farthest_);
   near_ = projection_.near_w << up;
+  // f * n / (near * 2^15) of apart(), for the farthest there might be.
+  static_assert(4 << 15 >= 2 * RoughRow::kError, "what a reach is off by");
+  const std::uint32_t most = (static_cast<std::uint32_t>(farthest_) << up >> 15) + 5;
+  const std::uint32_t near = static_cast<std::uint32_t>(near_) >> 15;
+  surely_apart_ = near > 1 && most <= 0xffff ? static_cast<std::int32_t>(most * most / near) : INT32_MAX;
   at_ = {cursor_.first_face(),  mesh.face_count,    cursor_.first_vertex(), mesh.corners.data(),
          mesh.positions.data(), ClipRow(matrix, 2), RoughRow(matrix, 2, up)};
 }
@@ -46,6 +51,8 @@ void DepthRows::reach(std::uint32_t face, DepthReach& to) {
 // are off by less than half a unit of depth (of 65536) each and depths by less than a tenth, so two units between
 // near / farthest and near / nearest will do: near * (nearest - farthest) * 2^15 >= farthest * nearest.
 bool DepthRows::apart(std::int32_t farthest, std::int32_t nearest) const {
+  if (nearest - farthest > surely_apart_) [[likely]]
+    return true;
   return nearest > farthest && mul_high(near_, nearest - farthest) > mul_high(farthest, nearest) >> 15;
 }
 

@@ -51,9 +51,10 @@ class DepthRows {
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
   Normaliser normaliser_;
-  Instance at_, other_;        // asked for last, and before that: where two overlap, their faces come by turns
-  std::int32_t near_ = 0;      // the near plane, in the rough row's units
-  std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
+  Instance at_, other_;            // asked for last, and before that: where two overlap, their faces come by turns
+  std::int32_t near_ = 0;          // the near plane, in the rough row's units
+  std::int32_t surely_apart_ = 0;  // likewise: what lies so much ahead of other things is in front
+  std::int32_t farthest_ = 0;      // w of any position there might be, Q16.16
 };
 
 }  // namespace spanline

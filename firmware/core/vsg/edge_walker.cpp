@@ -82,23 +82,43 @@ struct EdgeWalker::Column {
 // Brings the set of faces up to date with the edges in the column that the walk has come to. Of two faces mostly one
 // begins there, and the key knows the other.
 void EdgeWalker::gather_overlap() {
-  const ActiveEdge *const alive = walk_.alive(), *const begun = walk_.begun();
-  const ActiveEdge *first = alive, *fresh = begun;
-  CoverKey key = walk_.key;
-  const std::int32_t from = walk_.left == 0 ? INT32_MIN : walk_.left;  // what lies left of the screen is at 0, too
-  while (first != now_ && first[-1].column() >= from) --first;
-  while (fresh != alive_end_ + 1 && fresh[-1].column() >= from) --fresh;
-  if (key >> kCoverCount == 2) [[likely]] {
-    const bool alone = (alive - first) + (begun - fresh) == 1;
-    const FaceId face =
-        alone ? (first != alive ? first : fresh)->beginning() : Column{first, alive, fresh, begun}.begins();
-    if (face != 0) return overlap_.set(face, static_cast<FaceId>(key - face));
+  const CoverKey key = walk_.key;
+  const bool two = key >> kCoverCount == 2;
+  const auto pair = [this, key](FaceId face) { overlap_.set(face, static_cast<FaceId>(key - face)); };
+  if (two) [[likely]] {
+    if (const FaceId face = begun_alone(); face != 0) return pair(face);
+  }
+  const Column here = column();
+  if (two) {
+    if (const FaceId face = here.begins(); face != 0) return pair(face);
   }
   // The order of edges in one column is not that of their faces: only between columns is the key what it says.
-  const Column column{first, alive, fresh, begun};
-  column.each([&key](const ActiveEdge& e) { key -= e.toggle; });
-  if (key < kTwoFaces) overlap_.set(only_face(key));
-  column.each([this](const ActiveEdge& e) { overlap_.toggle(e); });
+  CoverKey before = key;
+  here.each([&before](const ActiveEdge& e) { before -= e.toggle; });
+  if (before < kTwoFaces) overlap_.set(only_face(before));
+  here.each([this](const ActiveEdge& e) { overlap_.toggle(e); });
+}
+
+// The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
+inline FaceId EdgeWalker::begun_alone() const {
+  const std::int32_t left = walk_.left;
+  const auto at_left = [this, left](const ActiveEdge* end) {  // before those that begin is a sentinel
+    return end != now_ && end[-1].column() == left;
+  };
+  const bool of_other = at_left(walk_.other);
+  const ActiveEdge* const end = of_other ? walk_.other : walk_.edge;
+  if (left == 0 || at_left(of_other ? walk_.edge : end - 1)) return 0;  // what lies left of the screen is at 0, too
+  return of_other && at_left(end - 1) ? FaceId{0} : end[-1].beginning();
+}
+
+// The edges in the column that the walk has come to.
+inline EdgeWalker::Column EdgeWalker::column() const {
+  const std::int32_t from = walk_.left == 0 ? INT32_MIN : walk_.left;
+  const ActiveEdge *const alive = walk_.alive(), *const begun = walk_.begun();
+  Column column{alive, alive, begun, begun};
+  while (column.first != now_ && column.first[-1].column() >= from) --column.first;
+  while (column.begun != alive_end_ + 1 && column.begun[-1].column() >= from) --column.begun;
+  return column;
 }
 
 // Of an edge that runs down in a mesh, what it toggles and the face that ends, 0 if none.

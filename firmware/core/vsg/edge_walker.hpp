@@ -138,9 +138,13 @@ class EdgeWalker {
   template <typename Sink, typename Plane, typename Again>
   [[gnu::noinline]] bool cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   struct Column;
+  Column column() const;
+  FaceId begun_alone() const;
   void gather_overlap();
   template <typename Sink, typename Plane>
-  [[gnu::noinline]] void show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
+  void show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
+  template <typename Sink, typename Plane>
+  [[gnu::noinline]] void resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
   VertexBuckets buckets_;
@@ -175,12 +179,21 @@ bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
 
 // Shows the span of several faces that the walk has come to.
 template <typename Sink, typename Plane>
-void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
-  const std::int32_t left = walk_.left;
+inline void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
   gather_overlap();
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
-  if (overlap_.overflow()) return;
-  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) return sink.front_alone(left, right, face);
+  if (overlap_.overflow()) [[unlikely]]
+    return;
+  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) [[likely]] {
+    return sink.front_alone(walk_.left, right, face);
+  }
+  resolve(line, right, sink, plane);
+}
+
+// The same where it takes planes.
+template <typename Sink, typename Plane>
+void EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
+  const std::int32_t left = walk_.left;
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
@@ -219,19 +232,18 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
 template <typename Sink, typename Plane, typename Again>
 bool EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   LineWalk& walk = walk_;
-  for (; stop != WalkStop::side; stop = sink.run(walk)) {
-    if (stop == WalkStop::tall) {
-      if (again(*walk.out, line + 1)) walk.put_out();
-      continue;
-    }
-    if (stop == WalkStop::look) {
+  do {
+    if (stop == WalkStop::front) {
+      const std::int32_t right = walk.next()->column();
+      show_front(line, right, sink, plane);
+      walk.left = right;
+    } else if (stop == WalkStop::look) {
       sink.learn(only_face(walk.key));
-      continue;
+    } else if (again(*walk.out, line + 1)) {
+      walk.put_out();
     }
-    const std::int32_t column = walk.next()->column();
-    show_front(line, column, sink, plane);
-    walk.left = column;
-  }
+    stop = sink.run(walk);
+  } while (stop != WalkStop::side);
   return !overlap_.overflow();
 }
 
