@@ -54,9 +54,11 @@ bool is_mirrored(const Transform& transform) {
   const auto m = [&](int i, int j) {
     return std::int64_t{transform.matrix[i][j].raw} >> 6;
   };  // Q22.10: products fit 64
-  const std::int64_t determinant = m(0, 0) * (((m(1, 1) * m(2, 2)) >> 10) - ((m(1, 2) * m(2, 1)) >> 10)) -
-                                   m(0, 1) * (((m(1, 0) * m(2, 2)) >> 10) - ((m(1, 2) * m(2, 0)) >> 10)) +
-                                   m(0, 2) * (((m(1, 0) * m(2, 1)) >> 10) - ((m(1, 1) * m(2, 0)) >> 10));
+  std::int64_t determinant = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    determinant += m(0, i) * (((m(1, j) * m(2, k)) >> 10) - ((m(1, k) * m(2, j)) >> 10));
+  }
   return determinant < 0;
 }
 
