@@ -137,6 +137,7 @@ class MeshLines {
   bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   bool turn_to(FaceId face, FaceLook& flat);
+  const LightRig& lights(const InstanceCursor& at);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;
   bool give_up(bool overlaps);
@@ -157,6 +158,8 @@ class MeshLines {
   FaceSlots slots_;  // in their place where faces may be smooth
   DepthRows rows_;
   SmoothFaces smooth_faces_;
+  LightRig lights_;  // of lit_instance_
+  std::uint32_t lit_instance_ = UINT32_MAX;
   EdgeWalker walker_;
   Paint found_ = Paint::any;  // where it is not decided beforehand
   std::uint16_t line_ = 0;    // to be made next

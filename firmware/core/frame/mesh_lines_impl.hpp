@@ -166,6 +166,7 @@ Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 template <bool kTaps, Paint kPaint>
 [[gnu::cold]] void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
   smooth_faces_ = {};
+  lit_instance_ = UINT32_MAX;
   smooth_.clear();
   if (smooth()) {
     slots_[0] = 0;
@@ -250,7 +251,7 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
-    flat = FaceLook::flat(flat_color(at, mesh_face, material, LightRig(scene_.scene(), at.instance().transform)));
+    flat = FaceLook::flat(flat_color(at, mesh_face, material, lights(at)));
     return false;
   }
   const std::uint32_t vertex = at.first_vertex() + 1;
@@ -261,6 +262,16 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
                    &points_[vertex],
                    &levels_[vertex]};
   return true;
+}
+
+// The lights as the instance sees them.
+template <bool kTaps, Paint kPaint>
+const LightRig& MeshLines<kTaps, kPaint>::lights(const InstanceCursor& at) {
+  if (lit_instance_ != at.index()) {
+    lit_instance_ = at.index();
+    new (&lights_) LightRig(scene_.scene(), at.instance().transform);
+  }
+  return lights_;
 }
 
 // The colour of a face drawn flat.
@@ -318,7 +329,7 @@ void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
 template <bool kTaps, Paint kPaint>
 void MeshLines<kTaps, kPaint>::light_faces(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
-  const LightRig rig(scene_.scene(), at.instance().transform);
+  const LightRig& rig = lights(at);
   const LightRig::One one = rig.one();
   const bool quick =
       rig.simple() && one.most() <= 256 && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
@@ -342,7 +353,7 @@ template <bool kTaps, Paint kPaint>
 void MeshLines<kTaps, kPaint>::light_vertices(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   if (mesh.vertex_normals.empty()) return;
-  const LightRig rig(scene_.scene(), at.instance().transform);
+  const LightRig& rig = lights(at);
   const VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
   Brightness* const level = &levels_[at.first_vertex() + 1];
   const Normal10* const normal = mesh.vertex_normals.data();
