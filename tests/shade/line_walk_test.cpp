@@ -1,8 +1,8 @@
 // The walks of a line, which some cores have in assembly, against one that paints pixel by pixel.
 #include <gtest/gtest.h>
 
+#include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
-#include "core/shade/smooth_walk.hpp"
 #include "oracle/random.hpp"
 
 namespace spanline::test {
@@ -10,7 +10,7 @@ namespace {
 
 using oracle::Random;
 
-constexpr int kMostEdges = 14, kWidest = 150, kFaces = 20;
+constexpr int kMostEdges = 14, kWidest = 150, kFaces = 20, kPlaces = 16;
 
 struct Line {
   ActiveEdge edges[kMostEdges + 2];  // those alive and a sentinel, those that begin and a sentinel
@@ -18,6 +18,7 @@ struct Line {
   std::uint16_t words[kFaces + 1];
   std::uint8_t slots[kFaces + 1];
   FaceLook looks[kFaces + 1];
+  FaceColor colors[kPlaces];
   alignas(4) std::uint16_t pixels[kWidest];
 };
 
@@ -44,8 +45,26 @@ void make_edges(Random& random, int width, ActiveEdge* edges, int count) {
 constexpr std::uint16_t kKnown = 7;  // the material
 std::uint16_t colors[ColorTable::kEntries];
 
+enum class Kind { flat, smooth, band_flat, band_smooth };
+constexpr bool is_smooth(Kind kind) { return kind == Kind::smooth || kind == Kind::band_smooth; }
+
+// The colour of a pixel; false where the walk does not know it.
+bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uint32_t y, std::uint16_t& color) {
+  const std::uint32_t place = face_place(face) % kPlaces;
+  if (kind == Kind::band_flat) {
+    color = line.colors[place].color;
+    return line.colors[place].face == face;
+  }
+  color = line.words[face];
+  if (kind == Kind::flat || (kind == Kind::smooth && face == 0)) return true;
+  const FaceLook& look = line.looks[kind == Kind::smooth ? line.slots[face] : place];
+  if (look.face != face) return false;
+  color = look.material == kKnown ? colors[look.plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look.color();
+  return look.material == kKnown || look.material == FaceLook::kNoMaterial;
+}
+
 // Pixel by pixel, edge by edge.
-WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smooth) {
+WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, Kind kind) {
   for (;;) {
     if (std::min(walk.edge->x, walk.other->x) > walk.side) return WalkStop::side;
     if (walk.other->x < walk.edge->x) {
@@ -55,19 +74,8 @@ WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, bool smo
     const ActiveEdge edge = *walk.edge;
     for (; walk.left < edge.column(); ++walk.left) {
       if (walk.key >= kTwoFaces) return WalkStop::front;
-      const FaceId face = only_face(walk.key);
-      std::uint16_t color = line.words[face];
-      if (smooth && face != 0) {
-        const FaceLook& look = line.looks[line.slots[face]];
-        if (look.face != face) return WalkStop::look;
-        if (look.material == FaceLook::kNoMaterial) {
-          color = look.color();
-        } else if (look.material == kKnown) {
-          color = colors[look.plane.at(static_cast<std::uint32_t>(walk.left), y) >> 26];
-        } else {
-          return WalkStop::look;
-        }
-      }
+      std::uint16_t color = 0;
+      if (!color_of(line, kind, only_face(walk.key), walk.left, y, color)) return WalkStop::look;
       reinterpret_cast<std::uint16_t*>(walk.pixels)[walk.left] = color;
     }
     ++walk.edge;
@@ -133,7 +141,30 @@ void make_looks(Random& random, Line& line) {
   }
 }
 
-void compare(bool smooth) {
+// Each face's place holds it, or one that it shares the place with.
+void make_places(Random& random, Line& line) {
+  for (FaceId face = 0; face <= kFaces; ++face) {
+    const std::uint32_t place = face_place(face) % kPlaces;
+    if (face >= kPlaces && random.percent(70)) continue;
+    line.looks[place].face = line.colors[place].face = face;
+    line.colors[place].color = static_cast<std::uint16_t>(random.below(0x10000));
+  }
+}
+
+WalkStop walk_fast(LineWalk& walk, Kind kind) {
+  switch (kind) {
+    case Kind::smooth:
+      return smooth_walk(walk);
+    case Kind::band_flat:
+      return band_flat_walk(walk);
+    case Kind::band_smooth:
+      return band_smooth_walk(walk);
+    default:
+      return flat_walk(walk);
+  }
+}
+
+void compare(Kind kind) {
   int stops[4] = {0, 0, 0, 0};
   for (std::uint64_t seed = 0; seed < oracle::rounds(50000u); ++seed) {
     Random random(seed);
@@ -143,17 +174,26 @@ void compare(bool smooth) {
     make_edges(random, width, fast.edges + alive + 1, begun);
     for (std::uint16_t& word : fast.words) word = static_cast<std::uint16_t>(random.below(0x10000));
     for (std::uint16_t& pixel : fast.pixels) pixel = 0xabcd;
-    if (smooth) make_looks(random, fast);
+    if (is_smooth(kind)) make_looks(random, fast);
+    if (kind == Kind::band_flat || kind == Kind::band_smooth) make_places(random, fast);
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
-    SmoothBrush brush(fast.looks, fast.slots);
-    brush.begin_line(y, fast.words[0]);
+    SmoothBrush brush(fast.looks, {fast.slots});
+    BandBrush band_brush(fast.looks, {kPlaces - 1});
+    if (kind == Kind::smooth) brush.begin_line(y, fast.words[0]);
+    if (kind == Kind::band_smooth && fast.looks[0].face == 0) band_brush.begin_line(y, fast.words[0]);
+    if (kind == Kind::band_smooth && fast.looks[0].face != 0) continue;
     brush.dip(kKnown, colors);
+    band_brush.dip(kKnown, colors);
+    const FaceColors face_colors({fast.colors, kPlaces - 1});
+    std::copy(std::begin(fast.looks), std::end(fast.looks), slow.looks);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
-    at_fast.painter = &brush;
+    at_fast.painter = kind == Kind::smooth        ? static_cast<const void*>(&brush)
+                      : kind == Kind::band_smooth ? static_cast<const void*>(&band_brush)
+                                                  : &face_colors;
     for (;;) {
-      const WalkStop stop = smooth ? smooth_walk(at_fast) : flat_walk(at_fast);
-      ASSERT_TRUE(stop == walk_slowly(at_slow, slow, y, smooth)) << "seed " << seed;
+      const WalkStop stop = walk_fast(at_fast, kind);
+      ASSERT_TRUE(stop == walk_slowly(at_slow, slow, y, kind)) << "seed " << seed;
       ++stops[static_cast<unsigned>(stop)];
       expect_same(fast, at_fast, slow, at_slow, width);
       if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed;
@@ -164,12 +204,16 @@ void compare(bool smooth) {
       }
     }
   }
-  for (int i = 0; i < (smooth ? 4 : 3); ++i) EXPECT_GT(stops[i], 50) << i;
+  for (int i = 0; i < (kind == Kind::flat ? 3 : 4); ++i) EXPECT_GT(stops[i], 50) << i;
 }
 
-TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(false); }
+TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(Kind::flat); }
 
-TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(true); }
+TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(Kind::smooth); }
+
+TEST(LineWalk, PaintsWhatIsKnownOfFlatFacesAsPixelByPixel) { compare(Kind::band_flat); }
+
+TEST(LineWalk, PaintsWhatIsKnownOfSmoothFacesAsPixelByPixel) { compare(Kind::band_smooth); }
 
 }  // namespace
 }  // namespace spanline::test

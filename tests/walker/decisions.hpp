@@ -30,11 +30,11 @@ inline void record_span(void* context, const VisibleSpan& span) {
   }
 }
 
-template <Walker kWalker>
-Decisions draw(const FrameStorage& storage, const SceneView& view, const CameraRecord& camera,
-               std::uint16_t first_band = 2046) {
+template <FrameOptions kOptions>
+Decisions draw_by(const FrameStorage& storage, const SceneView& view, const CameraRecord& camera,
+                  std::uint16_t first_band = 2046) {
   Decisions decisions(storage.screen);
-  Frame<FrameOptions{.taps = true, .walker = kWalker}> frame(storage);
+  Frame<kOptions> frame(storage);
   frame.set_tap({&decisions, record_span});
   std::vector<std::uint32_t> words(frame.line_bytes() / 4 + 1);
   const Slice<std::uint8_t> line(reinterpret_cast<std::uint8_t*>(words.data()), frame.line_bytes());
@@ -50,6 +50,11 @@ Decisions draw(const FrameStorage& storage, const SceneView& view, const CameraR
   }
   decisions.status = frame.status();
   return decisions;
+}
+template <Walker kWalker>
+Decisions draw(const FrameStorage& storage, const SceneView& view, const CameraRecord& camera,
+               std::uint16_t first_band = 2046) {
+  return draw_by<FrameOptions{.taps = true, .walker = kWalker}>(storage, view, camera, first_band);
 }
 
 // Pools that hold any of the random scenes; the edges can be too few.

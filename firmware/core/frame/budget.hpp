@@ -45,9 +45,14 @@ struct Budget {
   // gouraud: `facets`), the place of every vertex (6 bytes each, 7 where gouraud: `vertices`), the edges of one line,
   // which may be shared by two faces (32 bytes each, `edges`), and some depth planes. For the other pools see above.
   Walker walker = Walker::segments;
+  // With Walker::edges and meshes: that many vertices, 8 bytes each and 126 at most, are kept of a band, which is the
+  // run of lines that reach no more of them, or of band_lines, a byte each. Of every face then only a bit is kept
+  // (`facets`), of every vertex a byte (`vertices`); 0: everything is kept.
+  std::uint16_t band_vertices = 0;
   // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes
   // each. Powers of two less one, since one more of each is there; of looks the edge walker takes any number up to 254.
-  // looks 0: 15 for the segment walker, 127 for the others.
+  // looks 0: 15 for the segment walker, 127 for the others. With band_vertices
+  // looks are a power of two less one, and without gouraud colours of faces, 4 bytes each.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
   // Instances that are compared with the frame before, so that lines on which nothing has moved are not drawn again

@@ -26,13 +26,23 @@ void DepthRows::hold(const ClipMatrix& matrix) {
          mesh.positions.data(), ClipRow(matrix, 2), RoughRow(matrix, 2, up)};
 }
 
-DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
+// point_of(vertex of the scene, which corner) is its place on the screen.
+template <typename PointOf>
+DepthPlane DepthRows::plane_by(std::uint32_t face, const PointOf& point_of) {
   const Instance& at = instance_of(face);
   const std::uint16_t* const corner = at.corners + 3 * (face - at.first_face);
-  const ScreenXY* const point = &points[at.first_vertex + 1];
   // The matrix fits, else the walker would not have begun.
   const auto depth = [&](int i) { return projection_.depth(at.ahead.at(at.positions[corner[i]]), normaliser_); };
-  return depth_plane({point[corner[0]], point[corner[1]], point[corner[2]]}, {depth(0), depth(1), depth(2)}, screen_);
+  const auto point = [&](int i) { return point_of(at.first_vertex + corner[i], i); };
+  return depth_plane({point(0), point(1), point(2)}, {depth(0), depth(1), depth(2)}, screen_);
+}
+
+DepthPlane DepthRows::plane(std::uint32_t face, const PoolRef<ScreenXY>& points) {
+  return plane_by(face, [&points](std::uint32_t vertex, int) { return points[vertex + 1]; });
+}
+
+DepthPlane DepthRows::plane(std::uint32_t face, const ScreenXY (&points)[3]) {
+  return plane_by(face, [&points](std::uint32_t, int i) { return points[i]; });
 }
 
 // Of a face, in the rough row's units, rounded outwards.

@@ -23,6 +23,8 @@ class DepthRows {
 
   // The plane of a face; what face_plane() gives. points[1 + vertex]: the scene's on the screen.
   DepthPlane plane(std::uint32_t face, const PoolRef<ScreenXY>& points);
+  // The same of a face with these corners on the screen.
+  DepthPlane plane(std::uint32_t face, const ScreenXY (&points)[3]);
   // The face of the set that is in front of all others wherever both are, as can be told from how far their corners
   // lie ahead; 0 where that takes planes.
   FaceId nearest(const OverlapSet& set, PlaneCache& cache);
@@ -43,6 +45,8 @@ class DepthRows {
     return at_;
   }
   void find(std::uint32_t face);
+  template <typename PointOf>
+  DepthPlane plane_by(std::uint32_t face, const PointOf& point_of);
   void reach(std::uint32_t face, DepthReach& to);
   bool apart(std::int32_t farthest, std::int32_t nearest) const;
 

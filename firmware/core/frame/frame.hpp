@@ -17,6 +17,7 @@ constexpr FrameOptions options_for(const Budget& budget) {
           .points = points,
           .layers = budget.layers != 0,
           .walker = budget.walker,
+          .bands = budget.band_vertices != 0,
           .changes = budget.kept_instances != 0,
           .paint = !words           ? Paint::any
                    : budget.gouraud ? Paint::smooth_words
@@ -163,9 +164,11 @@ class Frame {
 
 // With the edge walker alone: scenes of meshes, or with FrameOptions::patches of patches.
 template <FrameOptions kOptions>
-using EdgeFrame =
-    MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshLines<kOptions.taps, kOptions.paint>>,
-              kOptions.statistics, kOptions.changes>;
+using MeshesOf = std::conditional_t<kOptions.bands, BandLines<kOptions.taps, kOptions.paint>,
+                                    MeshLines<kOptions.taps, kOptions.paint>>;
+template <FrameOptions kOptions>
+using EdgeFrame = MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshesOf<kOptions>>,
+                            kOptions.statistics, kOptions.changes>;
 template <FrameOptions kOptions>
 requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
   using Base = EdgeFrame<kOptions>;

@@ -5,6 +5,8 @@ namespace spanline {
 template class Frame<FrameOptions{.walker = Walker::edges}>;
 template class Frame<FrameOptions{.walker = Walker::edges, .paint = Paint::flat_words}>;
 template class Frame<FrameOptions{.walker = Walker::edges, .paint = Paint::smooth_words}>;
+template class Frame<FrameOptions{.walker = Walker::edges, .bands = true, .paint = Paint::flat_words}>;
+template class Frame<FrameOptions{.walker = Walker::edges, .bands = true, .paint = Paint::smooth_words}>;
 template class Frame<FrameOptions{.walker = Walker::both}>;
 
 }  // namespace spanline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/band_lines.hpp"
 #include "core/frame/edge_lines.hpp"
 #include "core/vsg/statistics.hpp"
 

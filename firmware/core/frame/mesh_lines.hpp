@@ -106,6 +106,15 @@ struct SmoothFaces {
   const Brightness* levels = nullptr;      // likewise
 };
 
+// Which material a group of faces has in an instance.
+inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup& group) {
+  return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
+}
+// What the edge walker cannot draw of a scene of meshes; `smooth`: Gouraud's materials as such.
+Status check_meshes(const SceneView& scene, bool smooth);
+// What a line lacked that was not walked whole.
+Status walker_shortage(const EdgeWalker& walker, bool overlaps, std::uint16_t line);
+
 template <bool kTaps, Paint kPaint = Paint::any>
 class MeshLines {
  public:
@@ -134,7 +143,6 @@ class MeshLines {
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
-  bool has_hues(const SceneRecord& scene) const;
   FaceLook look_of(FaceId face);
   bool turn_to(FaceId face, FaceLook& flat);
   const LightRig& lights(const InstanceCursor& at);

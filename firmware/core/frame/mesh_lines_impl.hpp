@@ -11,10 +11,6 @@
 
 namespace spanline {
 
-inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup& group) {
-  return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
-}
-
 // Which paint it is, is asked where spans of several faces or looks stop the walk, so that only the walk itself is
 // there three times.
 template <bool kTaps, Paint kPaint>
@@ -170,7 +166,7 @@ template <bool kTaps, Paint kPaint>
   smooth_.clear();
   if (smooth()) {
     slots_[0] = 0;
-    brush_ = SmoothBrush(smooth_.looks(), &slots_[0]);
+    brush_ = SmoothBrush(smooth_.looks(), {&slots_[0]});
   }
   new (&rows_) DepthRows(scene_.scene(), camera_, screen_, farthest);  // in its place, not copied there
   walker_.begin(scene_.scene(), top);
@@ -189,35 +185,10 @@ template <bool kTaps, Paint kPaint>
   const std::uint16_t faces = smooth() ? slots_.capacity() : words_.capacity();
   if (scene.face_count() > faces) return short_of("facets", scene.face_count(), faces);
   if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
-  if (!scene.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
-  if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
-  if (smooth()) {
-    if (scene.vertex_count() > levels_.capacity()) {
-      return short_of("levels", scene.vertex_count(), levels_.capacity());
-    }
-    const std::uint32_t materials = scene.scene().materials.size();
-    if (materials >= FaceLook::kNoMaterial) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
-    if (has_hues(scene.scene())) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
+  if (smooth() && scene.vertex_count() > levels_.capacity()) {
+    return short_of("levels", scene.vertex_count(), levels_.capacity());
   }
-  for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
-    const std::uint16_t flags = at.instance().flags;
-    if ((flags & InstanceRecord::kHidden) != 0) continue;
-    if ((flags & (InstanceRecord::kTwoSided | InstanceRecord::kScreen)) != 0) {
-      return {Code::bad_record, "InstanceRecord", "flags", at.index(), 0, flags};
-    }
-    if (at.mesh().fans.empty()) return {Code::bad_record, "MeshRecord", "fans", at.instance().mesh};
-  }
-  return {};
-}
-
-// Whether a smooth triangle would need more than its brightness.
-template <bool kTaps, Paint kPaint>
-[[gnu::cold]] bool MeshLines<kTaps, kPaint>::has_hues(const SceneRecord& scene) const {
-  bool gouraud = false;
-  for (const MaterialRecord& material : scene.materials) {
-    gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
-  }
-  return gouraud && !LightHue(scene).one();
+  return check_meshes(scene, smooth());
 }
 
 // How a face looks in a smooth scene, where its word is not a colour.
@@ -397,8 +368,7 @@ bool MeshLines<kTaps, kPaint>::give_up(bool overlaps) {
 
 template <bool kTaps, Paint kPaint>
 [[gnu::cold]] Status MeshLines<kTaps, kPaint>::shortage() const {
-  const std::uint32_t capacity = overlaps_short_ ? OverlapSet::kMost : walker_.edge_capacity();
-  return {Code::pool_exhausted, overlaps_short_ ? "overlaps" : "edges", "", 0, line_, capacity + 1, capacity};
+  return walker_shortage(walker_, overlaps_short_, line_);
 }
 
 }  // namespace spanline

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "core/base/bit_pool.hpp"
 #include "core/frame/budget.hpp"
 #include "core/frame/changed_lines.hpp"
 #include "core/frame/curve_overlay.hpp"
@@ -10,6 +11,8 @@
 #include "core/frame/patch_source.hpp"
 #include "core/frame/point_source.hpp"
 #include "core/shade/brightness.hpp"
+#include "core/shade/face_colors.hpp"
+#include "core/vsg/band_vertices.hpp"
 #include "core/vsg/edge_walker.hpp"
 #include "core/vsg/visible_segments.hpp"
 
@@ -29,6 +32,15 @@ struct MeshStorage {
   PoolRef<Brightness> levels;    // of vertices, where Gouraud's materials are drawn as such
 };
 
+// What it uses where only a band's vertices are kept, instead of a place for each face and vertex.
+struct BandStorage {
+  PoolRef<std::uint32_t> drawn;   // a bit a face
+  PoolRef<std::uint8_t> keys;     // a byte a vertex
+  PoolRef<BandVertex> vertices;   // of a band
+  PoolRef<std::uint8_t> buckets;  // a line of a band each
+  PoolRef<FaceColor> colors;      // where all faces are flat
+};
+
 // A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
 // as a line fits.
 struct FrameStorage {
@@ -43,6 +55,7 @@ struct FrameStorage {
   CurveOverlay* curves = nullptr;  // null: curves are not drawn
   PointStorage points = {};
   ChangesStorage changes = {};
+  BandStorage bands = {};
 };
 
 // The pools of smooth triangles, where there are any.
@@ -194,6 +207,27 @@ class MeshPools {
   [[no_unique_address]] std::conditional_t<kBudget.patch_grid != 0, Pool<GridVertex, kBudget.patch_grid>, NoGrid> grid_;
 };
 
+// Likewise where only a band's vertices are kept.
+template <Budget kBudget>
+class BandPools {
+ public:
+  void add_to(FrameStorage& storage) {
+    storage.mesh.walker.edges[0] = edges_[0].ref();
+    storage.mesh.walker.edges[1] = edges_[1].ref();
+    storage.mesh.walker.planes = planes_.ref();
+    storage.bands = {drawn_.ref(), keys_.ref(), vertices_.ref(), buckets_.ref(), colors_.ref()};
+  }
+
+ private:
+  Pool<std::uint32_t, BitPool::words_for(kBudget.facets)> drawn_;
+  Pool<std::uint8_t, kBudget.vertices> keys_;
+  Pool<BandVertex, kBudget.band_vertices> vertices_;
+  Pool<std::uint8_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets_;
+  Pool<ActiveEdge, kBudget.edges> edges_[2];
+  Pool<CachedPlane, kBudget.planes> planes_;
+  Pool<FaceColor, kBudget.gouraud ? 0 : kBudget.looks> colors_;
+};
+
 struct NoPools {
   void add_to(FrameStorage&) {}
 };
@@ -205,6 +239,8 @@ template <Budget kBudget>
 class FrameMemory {
   static_assert(kBudget.width > 0 && kBudget.width <= kMaxExtent, "Budget::width is out of range");
   static_assert(kBudget.height > 0 && kBudget.height <= kMaxExtent, "Budget::height is out of range");
+  static_assert(kBudget.band_vertices == 0 || (kBudget.walker == Walker::edges && kBudget.patch_grid == 0),
+                "Budget::band_vertices are of meshes, for the edge walker");
   static_assert(kBudget.patch_grid <= GridVertex::kMost, "Budget::patch_grid is out of range");
 
  public:
@@ -220,7 +256,10 @@ class FrameMemory {
 
  private:
   [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::edges, NoPools, SegmentPools<kBudget>> segments_;
-  [[no_unique_address]] std::conditional_t<kBudget.walker == Walker::segments, NoPools, MeshPools<kBudget>> mesh_;
+  [[no_unique_address]] std::conditional_t<
+      kBudget.walker == Walker::segments, NoPools,
+      std::conditional_t<kBudget.band_vertices != 0, BandPools<kBudget>, MeshPools<kBudget>>>
+      mesh_;
   static constexpr std::uint16_t kLooks = kBudget.looks != 0                   ? kBudget.looks
                                           : kBudget.walker == Walker::segments ? 15
                                                                                : 127;

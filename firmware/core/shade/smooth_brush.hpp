@@ -4,13 +4,25 @@
 
 namespace spanline {
 
+// Where a face's look is among those that are kept: each face has a slot for the number, and slots[0] is 0;
+struct LookSlots {
+  const std::uint8_t* slots = nullptr;
+  std::uint32_t operator()(FaceId face) const { return slots[face]; }
+};
+// or the face's own number tells it.
+struct LookPlaces {
+  std::uint32_t mask = 0;
+  std::uint32_t operator()(FaceId face) const { return face_place(face) & mask; }
+};
+
 // What the smooth spans of a line are painted with, as long as one material lasts. Assembly knows where each member
 // stands.
-class SmoothBrush {
+template <typename Find>
+class Brush {
  public:
-  SmoothBrush() = default;
-  // slots[face] is the number of the face's look. looks[0] is the background's, and slots[0] is 0.
-  SmoothBrush(FaceLook* looks, const std::uint8_t* slots) : looks_(looks), slots_(slots) {}
+  Brush() = default;
+  // looks[0] is the background's.
+  Brush(FaceLook* looks, Find find) : looks_(looks), find_(find) {}
 
   void begin_line(std::uint16_t line, std::uint16_t background) {
     line_ = line;
@@ -22,7 +34,7 @@ class SmoothBrush {
     colors_ = colors;
   }
 
-  const FaceLook& look(FaceId face) const { return looks_[slots_[face]]; }
+  const FaceLook& look(FaceId face) const { return looks_[find_(face)]; }
   // Whether it is this face's, and of the brush's material.
   bool knows(FaceId face, const FaceLook& look) const {
     return (look.face | std::uint32_t{look.material} << 16) == (face | material_);
@@ -34,10 +46,12 @@ class SmoothBrush {
   static constexpr std::uint32_t kDry = std::uint32_t{FaceLook::kNoMaterial - 1u} << 16;
 
   FaceLook* looks_ = nullptr;
-  const std::uint8_t* slots_ = nullptr;
+  Find find_;
   std::uint32_t material_ = kDry;  // in the upper half
   std::uint32_t line_ = 0;
   const std::uint16_t* colors_ = nullptr;
 };
+using SmoothBrush = Brush<LookSlots>;
+using BandBrush = Brush<LookPlaces>;
 
 }  // namespace spanline

@@ -6,9 +6,10 @@
 
 namespace spanline {
 
-// LineWalk::painter is a SmoothBrush, LineWalk::faces is not used. For any core.
-inline WalkStop smooth_walk_plain(LineWalk& walk) {
-  const auto paint = [pixels = walk.pixels, brush = *static_cast<const SmoothBrush*>(walk.painter)](
+// LineWalk::painter is a brush of this type, LineWalk::faces is not used.
+template <typename Brush>
+WalkStop smooth_walk_by(LineWalk& walk) {
+  const auto paint = [pixels = walk.pixels, brush = *static_cast<const Brush*>(walk.painter)](
                          std::int32_t left, std::int32_t right, FaceId face) {
     const FaceLook& look = brush.look(face);
     if (!brush.knows(face, look)) [[unlikely]] {
@@ -21,6 +22,8 @@ inline WalkStop smooth_walk_plain(LineWalk& walk) {
   };
   return walk_on(walk, paint);
 }
+// For any core.
+inline WalkStop smooth_walk_plain(LineWalk& walk) { return smooth_walk_by<SmoothBrush>(walk); }
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.

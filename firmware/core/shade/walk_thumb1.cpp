@@ -1,7 +1,7 @@
 // The walks of lines of RGB565 in assembly, for cores with Thumb's 16-bit instructions alone (Armv6-M): walk_on() of
 // core/vsg/line_walk.hpp, with spans of one colour, and with smooth ones.
+#include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
-#include "core/shade/smooth_walk.hpp"
 #include "core/shade/walk_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1
@@ -9,6 +9,7 @@
 namespace spanline {
 
 static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
+static_assert(sizeof(BandBrush) == sizeof(SmoothBrush) && sizeof(FaceColors) == 8, "colours, mask");
 
 asm(R"(
     .syntax unified
@@ -96,6 +97,52 @@ asm(R"(
     long_fill
     .endm
 
+@ The same where the walk may not know the face's colour.
+    .macro band_flat_span
+    uxth r4, r0
+    mov r6, r12
+    ldmia r6!, {r0, r5}             @ colours, mask
+    lsrs r6, r4, #5                 @ face_place()
+    eors r6, r4
+    ands r5, r6
+    lsls r5, r5, #2
+    ldr r0, [r0, r5]
+    uxth r5, r0
+    cmp r5, r4
+    bne 33b
+    lsrs r4, r0, #16
+    fill_span
+9:
+    .endm
+
+    .macro band_flat_count_down
+    subs r6, r7
+    .endm
+
+    .macro band_flat_state
+    ldr r3, [r0, #16]
+    mov r12, r3
+    movs r7, #1
+    lsls r7, r7, #17
+    .endm
+
+    .macro band_flat_tail
+    long_fill
+    .endm
+
+@ The number of the look of face r4, whose material r6 comes above it.
+    .macro look_by_slot
+    ldrb r5, [r5, r4]
+    orrs r4, r6
+    .endm
+    .macro look_by_place
+    orrs r4, r6
+    lsls r6, r4, #16
+    lsrs r6, r6, #21                @ face_place()
+    eors r6, r4
+    ands r5, r6
+    .endm
+
     .macro smooth_pixels count
     .set at, 0
     .rept \count
@@ -110,12 +157,11 @@ asm(R"(
     .endm
 
 @ The same with the face's brightness, up to three pixels too far.
-    .macro smooth_span
+    .macro smooth_span find=look_by_slot
     uxth r4, r0
     mov r6, r12
-    ldmia r6, {r0, r5, r6}          @ looks, slots, material
-    ldrb r5, [r5, r4]
-    orrs r4, r6
+    ldmia r6, {r0, r5, r6}          @ looks, slots or mask, material
+    \find
     lsls r5, r5, #4
     adds r5, r0
     ldr r6, [r5, #12]
@@ -167,6 +213,19 @@ asm(R"(
     fill_span
 9:  b 3b
     long_fill
+    .endm
+
+    .macro band_smooth_span
+    smooth_span look_by_place
+    .endm
+    .macro band_smooth_count_down
+    smooth_count_down
+    .endm
+    .macro band_smooth_state
+    smooth_state
+    .endm
+    .macro band_smooth_tail
+    smooth_tail
     .endm
 
     .macro walk name, kind
@@ -292,6 +351,8 @@ asm(R"(
 
     walk spanline_flat_walk, flat
     walk spanline_smooth_walk, smooth
+    walk spanline_band_flat_walk, band_flat
+    walk spanline_band_smooth_walk, band_smooth
     .text
 )");
 

@@ -1,7 +1,7 @@
 // The walks of lines of RGB565 in assembly, for cores with Thumb-2: walk_on() of core/vsg/line_walk.hpp, with spans of
 // one colour, and with smooth ones.
+#include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
-#include "core/shade/smooth_walk.hpp"
 #include "core/shade/walk_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
@@ -9,6 +9,7 @@
 namespace spanline {
 
 static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
+static_assert(sizeof(BandBrush) == sizeof(SmoothBrush) && sizeof(FaceColors) == 8, "colours, mask");
 
 asm(R"(
     .syntax unified
@@ -60,6 +61,33 @@ asm(R"(
     fill_span
     .endm
 
+    .macro band_state
+    ldr r12, [r0, #44]
+    .endm
+
+@ The same where the walk may not know the face's colour.
+    .macro band_span unknown
+    ldm r12, {r0, r4}               @ colours, mask
+    uxth lr, r9
+    eor r5, lr, lr, lsr #5          @ face_place()
+    and r4, r5
+    ldr r4, [r0, r4, lsl #2]
+    uxth r5, r4
+    cmp r5, lr
+    bne \unknown
+    lsr r4, #16
+    fill_span
+    .endm
+
+@ The number of the look of face lr.
+    .macro look_by_slot
+    ldrb r4, [r4, lr]
+    .endm
+    .macro look_by_place
+    eor lr, lr, lr, lsr #5          @ face_place()
+    and r4, lr
+    .endm
+
     .macro smooth_state
     ldr r12, [r0, #44]
     .endm
@@ -74,11 +102,11 @@ asm(R"(
     .endm
 
 @ The same with the face's brightness, up to three pixels too far; to `unknown` where the brush does not know it.
-    .macro smooth_span unknown
+    .macro smooth_span unknown, find=look_by_slot
     uxth lr, r9
-    ldm r12, {r0, r4, r5, r6}       @ looks, slots, material, line
-    ldrb r4, [r4, lr]
+    ldm r12, {r0, r4, r5, r6}       @ looks, slots or mask, material, line
     orr r5, lr
+    \find
     add r4, r0, r4, lsl #4
     ldr lr, [r4, #12]
     cmp r5, lr
@@ -105,6 +133,10 @@ asm(R"(
     bne \unknown
     ldrh r4, [r4, #4]               @ one colour
     fill_span
+    .endm
+
+    .macro band_smooth_span unknown
+    smooth_span \unknown, look_by_place
     .endm
 
 @ Words of r4 from r0 on up to r3, more than 16 pixels from where the span began.
@@ -228,6 +260,8 @@ asm(R"(
 
     walk spanline_flat_walk, flat_state, flat_span
     walk spanline_smooth_walk, smooth_state, smooth_span
+    walk spanline_band_flat_walk, band_state, band_span
+    walk spanline_band_smooth_walk, smooth_state, band_smooth_span
     .text
 )");
 

@@ -186,21 +186,17 @@ bool EdgeWalker::has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint3
 template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);
 template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint8_t>&);
 
-// Begins a tall edge again on `line`; false where it has ended, and for every other edge. Of the face that it begins
-// or ends the edge is the left or right one.
-bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
-  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
+// Begins a tall edge again on `line`, by point(i), the corners of the face that it begins or ends, of which it is the
+// left or right edge.
+template <typename Point>
+static bool run_tall(ActiveEdge& edge, std::int32_t line, const Point& point) {
   const bool left = edge.ending() == 0;
-  const std::uint32_t face = (left ? edge.beginning() : edge.ending()) - 1u;
-  cursor_.to_face(face);
-  const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
-  const auto point = [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i % 3] + 1]; };
   for (unsigned i = 0; i < 3; ++i) {
-    ScreenXY top = point(i), bottom = point(i + 1);
+    ScreenXY top = point(i), bottom = point((i + 1) % 3);
     if (top.y > bottom.y) std::swap(top, bottom);
     // One that begins on this very line comes from its own vertex.
     if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
-    const ScreenXY third = point(i + 2);
+    const ScreenXY third = point((i + 2) % 3);
     const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
     if ((side < 0) != left) continue;
     const EdgeRun run = start_run(top, bottom, line);
@@ -210,6 +206,19 @@ bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
     return true;
   }
   return false;
+}
+
+bool EdgeWalker::run_tall_again(ActiveEdge& edge, std::int32_t line, const ScreenXY (&corner)[3]) {
+  return run_tall(edge, line, [&corner](unsigned i) { return corner[i]; });
+}
+
+// Begins a tall edge again on `line`; false where it has ended, and for every other edge.
+bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
+  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
+  const std::uint32_t face = face_of_tall(edge) - 1u;
+  cursor_.to_face(face);
+  const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
+  return run_tall(edge, line, [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i] + 1]; });
 }
 
 }  // namespace spanline

@@ -90,6 +90,13 @@ class EdgeWalker {
   // right, FaceId) gets it.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  // Begins a tall edge again on `line`, by the corners of face_of_tall(edge) in the mesh's order; false where it has
+  // ended.
+  static bool run_tall_again(ActiveEdge& edge, std::int32_t line, const ScreenXY (&corner)[3]);
+  static FaceId face_of_tall(const ActiveEdge& edge) {
+    const FaceId ends = edge.ending();
+    return ends == 0 ? edge.beginning() : ends;
+  }
   // Forgets the planes made so far.
   void forget_planes() { planes_.clear(); }
 

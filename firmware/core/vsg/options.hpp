@@ -28,6 +28,7 @@ struct VsgOptions {
   bool points = false;      // patches are plotted as points, not diced: Budget::point_lines; then there are no layers
   bool layers = false;      // surface detail and see-through polygons are drawn: the pools of Budget::layers
   Walker walker = Walker::segments;
+  bool bands = false;    // with Walker::edges: of meshes only a band is kept, the storage of Budget::band_vertices
   bool changes = false;  // lines that show what they showed are not drawn again: the storage of Budget::kept_instances
   Paint paint = Paint::any;  // of meshes, where the walker is that of edges alone
 };

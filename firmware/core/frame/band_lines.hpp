@@ -1,0 +1,106 @@
+// The lines of a frame of meshes in little memory: of each face and each vertex a bit is kept, and of the vertices
+// those whose first line lies in a band. All else is made when it is needed and forgotten.
+#pragma once
+
+#include "core/frame/instance_points.hpp"
+#include "core/frame/mesh_lines.hpp"
+
+namespace spanline {
+
+template <bool kTaps, Paint kPaint>
+class BandLines {
+ public:
+  explicit BandLines(const FrameStorage& storage);
+
+  // As MeshLines: the same scenes, the same pictures. Where an edge, or a line's faces, have no room the status is the
+  // same, too; vertices always have.
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr);
+  bool next(std::uint16_t line, Painter& painter, const SpanTap& tap);
+  Status shortage() const;
+
+  // Of the frame so far: Budget::edges, bands.
+  void count(Statistics& s) const {
+    s.max_edges = walker_.most_edges();
+    s.bands = bands_;
+  }
+
+ private:
+  struct Sink;
+  struct Planes;
+
+  [[gnu::noinline]] Status check() const;
+  [[gnu::noinline]] void clear(std::uint16_t top);
+  [[gnu::noinline]] bool cull(const InstanceCursor& at);
+  [[gnu::noinline]] void plan(std::uint16_t top);
+  // A vertex of the scene; its instance becomes that of `points_`.
+  ScreenXY project(std::uint32_t vertex) {
+    points_.to_vertex(vertex);
+    return points_[vertex - points_.first_vertex()];
+  }
+  [[gnu::noinline]] bool start_edges(std::int32_t line);
+  template <typename Add>
+  void feed(std::uint32_t vertex, ScreenXY at, const Add& add);
+  bool run_again(ActiveEdge& edge, std::int32_t line);
+  [[gnu::noinline]] DepthPlane plane(FaceId face);
+  void corners(FaceId face, ScreenXY (&at)[3]);
+  // A vertex of the mesh of `points_` on the screen.
+  ScreenXY place(std::uint32_t vertex) {
+    const BandVertex* const kept = vertices_.find(points_.first_vertex() + vertex);
+    return kept != nullptr ? kept->at : points_[vertex];
+  }
+
+  Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
+  bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
+  void begin_line(std::uint16_t line, std::uint16_t background) {
+    smooth() ? brush_.begin_line(line, background) : colors_.put(0, background);
+  }
+  // Of a face, where all are flat.
+  std::uint16_t color(FaceId face) {
+    if (!colors_.knows(face)) [[unlikely]]
+      learn_color(face);
+    return colors_[face];
+  }
+  [[gnu::noinline]] void learn_color(FaceId face);
+  const std::uint16_t* colors_of(std::uint16_t material) { return smooth_.colors(material, scene_.scene()); }
+  [[gnu::noinline]] FaceLook look_of(FaceId face);
+  std::uint16_t flat_color(FaceId face);
+  void bring_to_hand(FaceId face) {
+    if (std::uint32_t{face} - at_hand_.first >= at_hand_.count) [[unlikely]]
+      turn_to(face);
+  }
+  [[gnu::noinline]] void turn_to(FaceId face);
+  [[gnu::noinline]] const LightRig& lights();
+  bool give_up(bool overlaps);
+
+  SceneView scene_;
+  CameraRecord camera_{};
+  Screen screen_;
+  InstancePoints points_;
+  BandVertices vertices_;
+  BitPool drawn_;  // faces that are seen from their fronts
+  FaceColors colors_;
+  SmoothCache smooth_;
+  BandBrush brush_;
+  DepthRows rows_;
+  LightRig lights_;
+  std::uint32_t lit_ = UINT32_MAX;  // the instance whose lights they are
+  // The group of a face that was lit last.
+  struct {
+    std::uint32_t before = 0;    // the id of its mesh's first face
+    std::uint32_t first = 0;     // id
+    std::uint16_t count = 0;     // of faces
+    std::uint16_t material = 0;  //
+    const MaterialRecord* look = nullptr;
+    const Normal10* normals = nullptr;  // by ids, where one light without a hue lights them
+    LightRig::One one{};                // that
+  } at_hand_;
+  EdgeWalker walker_;
+  std::uint16_t line_ = 0;  // to be made next
+  std::uint16_t end_ = 0;   // of the band
+  std::uint16_t bands_ = 0;
+  Paint found_ = Paint::any;
+  bool crowded_ = false;  // the band is a line whose vertices are too many to be kept
+  bool ready_ = false, overlaps_short_ = false;
+};
+
+}  // namespace spanline

@@ -1,0 +1,33 @@
+// The walks of lines of RGB565 where looks are kept of faces that were met lately, and of others not even the number of
+// their look: flat_walk() and smooth_walk() for them.
+#pragma once
+
+#include "core/shade/face_colors.hpp"
+#include "core/shade/smooth_walk.hpp"
+
+namespace spanline {
+
+// LineWalk::painter is a FaceColors. For any core.
+inline WalkStop band_flat_walk_plain(LineWalk& walk) {
+  const auto paint = [pixels = walk.pixels, colors = *static_cast<const FaceColors*>(walk.painter)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
+    if (!colors.knows(face)) [[unlikely]]
+      return false;
+    fill_span(pixels, left, right, colors[face]);
+    return true;
+  };
+  return walk_on(walk, paint);
+}
+// LineWalk::painter is a BandBrush.
+inline WalkStop band_smooth_walk_plain(LineWalk& walk) { return smooth_walk_by<BandBrush>(walk); }
+
+#if defined(__ARM_ARCH_ISA_THUMB)
+// The same in assembly.
+WalkStop band_flat_walk(LineWalk& walk) asm("spanline_band_flat_walk");
+WalkStop band_smooth_walk(LineWalk& walk) asm("spanline_band_smooth_walk");
+#else
+inline WalkStop band_flat_walk(LineWalk& walk) { return band_flat_walk_plain(walk); }
+inline WalkStop band_smooth_walk(LineWalk& walk) { return band_smooth_walk_plain(walk); }
+#endif
+
+}  // namespace spanline

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/shade/brightness.hpp"
+
+namespace spanline {
+
+struct FaceColor {
+  FaceId face;
+  std::uint16_t color;  // as Painter::fill takes it
+};
+static_assert(sizeof(FaceColor) == 4);
+
+// The colours of faces that were met lately, and of the background as that of face 0, each in the place that its number
+// gives it. Assembly knows where each member stands.
+class FaceColors {
+ public:
+  FaceColors() = default;
+  explicit FaceColors(PoolRef<FaceColor> colors)
+      : colors_(&colors[0]), mask_(std::bit_floor(colors.capacity() + 1u) - 1u) {}
+
+  // None is known; put(0) is to be said next.
+  void clear() {
+    for (std::uint32_t i = 0; i <= mask_; ++i) colors_[i].face = 0;
+  }
+  void put(FaceId face, std::uint16_t color) { colors_[face_place(face) & mask_] = {face, color}; }
+  bool knows(FaceId face) const { return colors_[face_place(face) & mask_].face == face; }
+  std::uint16_t operator[](FaceId face) const { return colors_[face_place(face) & mask_].color; }
+
+ private:
+  FaceColor* colors_ = nullptr;
+  std::uint32_t mask_ = 0;
+};
+
+}  // namespace spanline

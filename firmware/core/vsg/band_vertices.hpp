@@ -1,0 +1,110 @@
+#pragma once
+
+#include <bit>
+
+#include "core/base/pool.hpp"
+#include "core/geom/screen.hpp"
+
+namespace spanline {
+
+struct BandVertex {
+  ScreenXY at;
+  std::uint16_t vertex;  // 1 + its number in the scene; 0: none
+  std::uint8_t next;     // on the same line, not left of it; or kReached
+  std::uint8_t level;    // its brightness, or kNoLevel
+
+  static constexpr std::uint8_t kReached = 0xff, kNoLevel = 0xff;
+  bool reached() const { return next == kReached; }
+};
+static_assert(sizeof(BandVertex) == 8);
+
+// The vertices that the lines of a frame will reach: of each is known about where, in a byte, and of those of a band of
+// lines the place, filed under their first ones. A band is the longest that its vertices and lines fit.
+class BandVertices {
+ public:
+  static constexpr std::uint16_t kMost = 126;  // that are used of a band
+
+  BandVertices() = default;
+  // A byte a vertex, one a line of a band.
+  BandVertices(PoolRef<BandVertex> band, PoolRef<std::uint8_t> keys, PoolRef<std::uint8_t> buckets)
+      : band_(band), keys_(keys), buckets_(buckets) {
+    band_.limit(kMost);
+    place_mask_ = std::bit_floor(band_.capacity() + 1u) - 1u;
+  }
+  std::uint16_t capacity() const { return keys_.capacity(); }
+
+  // Begins a frame of the lines [top, bottom): none of `count` vertices waits.
+  void begin(std::uint32_t count, std::int32_t top, std::int32_t bottom);
+  // A vertex waits for its first line; again and again.
+  void wait(std::uint32_t vertex, ScreenXY at) {
+    std::uint8_t& key = keys_[vertex + 1];
+    if (key == 0) key = key_of(first_line(at));
+  }
+  // The line that reaches it: those above the frame are its first line's.
+  std::int32_t first_line(ScreenXY at) const {
+    const std::int32_t line = first_centre(at.y);
+    return line > top_ ? line : top_;
+  }
+  // Until begin_band(): where a vertex may be kept meanwhile, by the name in it. None is at first.
+  BandVertex& place(std::uint32_t vertex) { return band_[vertex & place_mask_]; }
+
+  std::uint32_t first() const { return first_; }
+  std::uint32_t count() const { return count_; }
+  // Begins the longest band from `top` on; file() is to be said of all next_to_file(). It ends at its top where not
+  // even that line's vertices fit.
+  void begin_band(std::int32_t top);
+  std::int32_t end() const { return end_; }
+  // The first vertex from `from` on that file() is to be said of, or as many as there are.
+  std::uint32_t next_to_file(std::uint32_t from) const { return next(from, 1, last_key_); }
+  void file(std::uint32_t vertex, ScreenXY at);
+
+  // The vertices of a line of the band from left to right. What pop(line) gives has been reached.
+  bool is_empty(std::int32_t line) const { return buckets_[bucket(line)] == 0; }
+  const BandVertex& pop(std::int32_t line) {
+    std::uint8_t& first = buckets_[bucket(line)];
+    BandVertex& vertex = band_[first];
+    first = vertex.next;
+    vertex.next = BandVertex::kReached;
+    return vertex;
+  }
+  // Likewise the first that may be one of `line` and is not filed; it has been reached.
+  std::uint32_t next_to_reach(std::uint32_t from, std::int32_t line) const { return next(from, key_of(line), 1); }
+  void reach(std::uint32_t vertex) { keys_[vertex + 1] = 0; }
+
+  // Whether it waits, or is of the band, reached or not.
+  bool known(std::uint32_t vertex) const { return keys_[vertex + 1] != 0; }
+  // A vertex of the band; null: it is none of it.
+  BandVertex* find(std::uint32_t vertex) const {
+    const std::uint8_t key = keys_[vertex + 1];
+    return key > kFiled ? &band_[key - kFiled] : nullptr;
+  }
+
+ private:
+  // Keys: 0 of those that do not wait, kFiled + the place of those of the band, between them about the first line.
+  static constexpr std::uint8_t kFiled = 128, kBelow = 127;
+
+  std::uint8_t key_of(std::int32_t line) const {
+    return line < bottom_ ? static_cast<std::uint8_t>(1 + ((line - top_) >> shift_)) : kBelow;
+  }
+  std::uint32_t bucket(std::int32_t line) const { return static_cast<std::uint32_t>(line - band_top_ + 1); }
+  std::int32_t longest() const;
+  // The first vertex with one of `keys` keys from `first` on.
+  std::uint32_t next(std::uint32_t from, std::uint32_t first, std::uint32_t keys) const {
+    const std::uint8_t *key = &keys_[0] + 1 + from, *const end = &keys_[0] + 1 + count_;
+    while (key != end && *key - first >= keys) ++key;
+    return static_cast<std::uint32_t>(key - (&keys_[0] + 1));
+  }
+
+  PoolRef<BandVertex> band_;
+  PoolRef<std::uint8_t> keys_, buckets_;
+  std::uint32_t place_mask_ = 0;
+  std::uint32_t count_ = 0;              // of vertices
+  std::uint32_t first_ = 0;              // vertices before it have been reached, or never will be
+  std::int32_t top_ = 0, bottom_ = 0;    // of the frame
+  std::int32_t band_top_ = 0, end_ = 0;  // of the band
+  std::uint32_t shift_ = 0;              // of lines to keys
+  std::uint32_t last_key_ = 0;           // of the band's lines
+  std::uint8_t filed_ = 0;
+};
+
+}  // namespace spanline

@@ -1,0 +1,148 @@
+// Meshes drawn in bands, of which little is kept, look as those of which everything is: whatever there is room for.
+#include <gtest/gtest.h>
+
+#include "assetc/scene_json.hpp"
+#include "oracle/random.hpp"
+#include "vsg/scale.hpp"
+#include "walker/decisions.hpp"
+
+namespace spanline::test {
+namespace {
+
+// The storage of a BandPools whose sizes are chosen here.
+struct BandMemory {
+  struct Sizes {
+    std::uint16_t vertices, lines, looks, tables, planes, edges = 2000;
+    bool gouraud = true;
+  };
+
+  BandMemory(const SceneView& view, const Screen& screen, const Sizes& sizes)
+      : drawn(BitPool::words_for(view.face_count()) + 1u),
+        keys(view.vertex_count() + 1u),
+        vertices(sizes.vertices + 1u),
+        buckets(sizes.lines + 1u),
+        colors(sizes.looks + 1u),
+        edges{std::vector<ActiveEdge>(sizes.edges + 1u), std::vector<ActiveEdge>(sizes.edges + 1u)},
+        planes(sizes.planes + 1u),
+        looks(sizes.looks + 1u),
+        tables(sizes.tables + 1u) {
+    storage.screen = screen;
+    storage.mesh.walker.edges[0] = ref(edges[0]);
+    storage.mesh.walker.edges[1] = ref(edges[1]);
+    storage.mesh.walker.planes = ref(planes);
+    storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors)};
+    if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
+  }
+  template <typename T>
+  static PoolRef<T> ref(std::vector<T>& items) {
+    return {items.data(), static_cast<std::uint16_t>(items.size() - 1)};
+  }
+
+  std::vector<std::uint32_t> drawn;
+  std::vector<std::uint8_t> keys;
+  std::vector<BandVertex> vertices;
+  std::vector<std::uint8_t> buckets;
+  std::vector<FaceColor> colors;
+  std::vector<ActiveEdge> edges[2];
+  std::vector<CachedPlane> planes;
+  std::vector<FaceLook> looks;
+  std::vector<ColorTable> tables;
+  FrameStorage storage{};
+};
+
+constexpr FrameOptions kWhole{.taps = true, .walker = Walker::edges};
+constexpr FrameOptions kBands{.taps = true, .walker = Walker::edges, .bands = true};
+
+void expect_same(const Decisions& whole, const Decisions& bands) {
+  EXPECT_EQ(whole.drawn, bands.drawn);
+  EXPECT_EQ(whole.status.code, bands.status.code);
+  EXPECT_TRUE(whole.faces == bands.faces) << "other faces";
+  EXPECT_TRUE(whole.depths == bands.depths) << "other depths";
+  EXPECT_TRUE(whole.bytes == bands.bytes) << "other bytes";
+}
+
+class Bands : public testing::TestWithParam<int> {};
+
+TEST_P(Bands, ShowWhatTheWholeFrameShows) {
+  int drawn = 0;
+  for (auto seed = static_cast<std::uint64_t>(GetParam()); seed < scene_count(1600, 40000) && !HasFailure();
+       seed += kShards) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    MeshScene scene = random_mesh_scene(seed + 5000000);
+    const SceneRecord record = scene.record();
+    SceneView view;
+    ASSERT_TRUE(SceneView::validate(record, view).ok());
+    const bool gouraud = seed / kShards % 2 == 0;
+    Memory plenty(scene.screen, 2000, gouraud);
+    oracle::Random random(seed);
+    const auto up_to = [&random](int most) { return static_cast<std::uint16_t>(random.below(most + 1)); };
+    const auto mask = [&random](int bits) { return static_cast<std::uint16_t>((1 << random.below(bits + 1)) - 1); };
+    BandMemory little(view, scene.screen,
+                      {.vertices = random.percent(20) ? std::uint16_t{0} : up_to(130),
+                       .lines = static_cast<std::uint16_t>(1 + up_to(scene.screen.height)),
+                       .looks = static_cast<std::uint16_t>(mask(6) | 1),
+                       .tables = mask(2),
+                       .planes = mask(4),
+                       .gouraud = gouraud});
+    const auto cut = static_cast<std::uint16_t>(1 + up_to(2 * scene.screen.height));
+    const Decisions whole = draw_by<kWhole>(plenty.memory.storage(), view, scene.camera, cut);
+    expect_same(whole, draw_by<kBands>(little.storage, view, scene.camera, cut));
+    drawn += whole.drawn && whole.status.ok();
+  }
+  EXPECT_GT(drawn, 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shards, Bands, testing::Range(0, kShards));
+
+// The benchmark's scenes from next to no memory to enough for one band.
+class BandSizes : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(BandSizes, MakeNoDifference) {
+  const auto& [file, shading] = GetParam();
+  host::SceneDescription description = host::read_scene(std::string(SPANLINE_ASSETS) + "/scenes/" + file + ".json");
+  const bool gouraud = std::string(shading) == "gouraud";
+  for (auto& material : description.materials)
+    material.shading = gouraud ? host::Shading::kGouraud : host::Shading::kFlat;
+  host::CompiledScene scene = host::compile(std::move(description));
+  scene.triangulate();
+  const SceneRecord record = scene.record();
+  SceneView view;
+  ASSERT_TRUE(SceneView::validate(record, view).ok());
+  const Screen screen{320, 240};
+  Memory plenty(screen, 2000, gouraud);
+  const Decisions whole = draw_by<kWhole>(plenty.memory.storage(), view, scene.camera());
+  ASSERT_TRUE(whole.status.ok());
+  for (const std::uint16_t vertices : std::initializer_list<std::uint16_t>{0, 1, 7, 20, 40, 63, 80, 126, 400}) {
+    for (const std::uint16_t lines : std::initializer_list<std::uint16_t>{1, 13, 240}) {
+      SCOPED_TRACE(testing::Message() << vertices << " vertices, " << lines << " lines");
+      BandMemory little(
+          view, screen,
+          {.vertices = vertices, .lines = lines, .looks = 15, .tables = 0, .planes = 7, .gouraud = gouraud});
+      expect_same(whole, draw_by<kBands>(little.storage, view, scene.camera()));
+    }
+  }
+  // Where an edge has no room the line is the one where the whole frame's had none.
+  BandMemory few(view, screen, {.vertices = 40, .lines = 240, .looks = 15, .tables = 0, .planes = 7, .edges = 4});
+  const Decisions cut = draw_by<kBands>(few.storage, view, scene.camera());
+  EXPECT_EQ(cut.status.code, Code::pool_exhausted);
+  EXPECT_STREQ(cut.status.where, "edges");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BandSizes,
+                         testing::Combine(testing::Values("S1", "S3", "S4"), testing::Values("flat", "gouraud")));
+
+TEST(Bands, RefuseWhatTheyHaveNoRoomFor) {
+  MeshScene scene = random_mesh_scene(1);
+  const SceneRecord record = scene.record();
+  SceneView view;
+  ASSERT_TRUE(SceneView::validate(record, view).ok());
+  BandMemory memory(view, scene.screen, {.vertices = 8, .lines = 8, .looks = 1, .tables = 0, .planes = 1});
+  memory.storage.bands.keys.limit(view.vertex_count() - 1u);
+  const Decisions refused = draw_by<kBands>(memory.storage, view, scene.camera);
+  EXPECT_FALSE(refused.drawn);
+  EXPECT_EQ(refused.status.code, Code::pool_exhausted);
+  EXPECT_STREQ(refused.status.where, "vertices");
+}
+
+}  // namespace
+}  // namespace spanline::test
