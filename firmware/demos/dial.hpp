@@ -21,6 +21,7 @@ inline constexpr Layouts::Layout kDialLarge{{&dial_scene::scene, &dial_scene::ca
                                              .curves = 96,
                                              .strands = 16,
                                              .gouraud = false,
+                                             .kept_instances = 2,
                                              .scan_out = ScanPolicy::tiles}};
 
 inline constexpr Layouts dial{"dial",
@@ -40,6 +41,7 @@ inline constexpr Layouts dial{"dial",
                                 .curves = 48,
                                 .strands = 12,
                                 .gouraud = false,
+                                .kept_instances = 2,
                                 .scan_out = ScanPolicy::tiles}}};
 
 }  // namespace spanline::demos

@@ -12,8 +12,12 @@ namespace spanline::demos {
 void pose_gauges(std::uint32_t frame, const Shot& shot, const Moving& moving);
 
 // Of every layout but the small one.
-inline constexpr Budget kGaugesLarge{
-    .facets = 1398, .vertices = 1431, .edges = 132, .walker = Walker::edges, .scan_out = ScanPolicy::tiles};
+inline constexpr Budget kGaugesLarge{.facets = 1398,
+                                     .vertices = 1431,
+                                     .edges = 132,
+                                     .walker = Walker::edges,
+                                     .kept_instances = 12,
+                                     .scan_out = ScanPolicy::tiles};
 
 inline constexpr Layouts gauges{
     "gauges",

@@ -21,7 +21,8 @@ inline constexpr Budget kStillLifeBudget{.facets = 192,
                                          .segments = 64,
                                          .implied = 8,
                                          .layers = 24,
-                                         .gouraud = false};
+                                         .gouraud = false,
+                                         .scan_out = ScanPolicy::tiles};
 
 inline constexpr Layouts::Layout kDice{{&dice_scene::scene, &dice_scene::camera, &dice_scene::kTarget,
                                         dice_scene::kOrigins, dice_scene::kWidth, dice_scene::kHeight},
