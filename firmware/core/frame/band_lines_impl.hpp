@@ -14,7 +14,11 @@ struct BandLines<kTaps, kPaint>::Sink {
   const SpanTap& tap;
   std::uint16_t line;
 
-  void begin(LineWalk& walk) const { walk.pixels = painter.out(); }
+  WalkStop start(LineWalk& walk) const {
+    walk.pixels = painter.out();
+    walk.begin_line();
+    return run(walk);
+  }
   WalkStop run(LineWalk& walk) const {
     if (!kTaps && mesh.paint() == Paint::flat_words) return band_flat_walk(walk);
     if (!kTaps && mesh.paint() == Paint::smooth_words) return band_smooth_walk(walk);

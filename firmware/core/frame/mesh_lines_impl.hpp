@@ -20,7 +20,13 @@ struct MeshLines<kTaps, kPaint>::Sink {
   const SpanTap& tap;
   std::uint16_t line;
 
-  void begin(LineWalk& walk) const { walk.pixels = painter.out(); }
+  WalkStop start(LineWalk& walk) const {
+    walk.pixels = painter.out();
+    if (!kTaps && mesh.paint() == Paint::flat_words) return flat_line(walk);
+    if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_line(walk);
+    walk.begin_line();
+    return run(walk);
+  }
   WalkStop run(LineWalk& walk) const {
     if (!kTaps && mesh.paint() == Paint::flat_words) return flat_walk(walk);
     if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_walk(walk);

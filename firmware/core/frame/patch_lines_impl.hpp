@@ -16,7 +16,10 @@ struct PatchLines<kTaps>::Sink {
   std::int32_t width;
   std::uint16_t line;
 
-  void begin(LineWalk&) const {}
+  WalkStop start(LineWalk& walk) const {
+    walk.begin_line();
+    return run(walk);
+  }
   WalkStop run(LineWalk& walk) const {
     return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
       report_one(left, right, face);

@@ -22,4 +22,14 @@ WalkStop flat_walk(LineWalk& walk) asm("spanline_flat_walk");
 inline WalkStop flat_walk(LineWalk& walk) { return flat_walk_plain(walk); }
 #endif
 
+// The same from the beginning of a line.
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+WalkStop flat_line(LineWalk& walk) asm("spanline_flat_line");
+#else
+inline WalkStop flat_line(LineWalk& walk) {
+  walk.begin_line();
+  return flat_walk(walk);
+}
+#endif
+
 }  // namespace spanline

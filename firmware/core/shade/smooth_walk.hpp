@@ -32,4 +32,14 @@ WalkStop smooth_walk(LineWalk& walk) asm("spanline_smooth_walk");
 inline WalkStop smooth_walk(LineWalk& walk) { return smooth_walk_plain(walk); }
 #endif
 
+// The same from the beginning of a line.
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+WalkStop smooth_line(LineWalk& walk) asm("spanline_smooth_line");
+#else
+inline WalkStop smooth_line(LineWalk& walk) {
+  walk.begin_line();
+  return smooth_walk(walk);
+}
+#endif
+
 }  // namespace spanline

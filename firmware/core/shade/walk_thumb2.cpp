@@ -54,6 +54,10 @@ asm(R"(
     .macro flat_state
     .endm
 
+    .macro flat_background
+    ldrh r4, [r12]
+    .endm
+
 @ The span of face r9.
     .macro flat_span unknown
     uxth lr, r9
@@ -61,12 +65,12 @@ asm(R"(
     fill_span
     .endm
 
-    .macro band_state
+    .macro band_flat_state
     ldr r12, [r0, #44]
     .endm
 
 @ The same where the walk may not know the face's colour.
-    .macro band_span unknown
+    .macro band_flat_span unknown
     ldm r12, {r0, r4}               @ colours, mask
     uxth lr, r9
     eor r5, lr, lr, lsr #5          @ face_place()
@@ -90,6 +94,11 @@ asm(R"(
 
     .macro smooth_state
     ldr r12, [r0, #44]
+    .endm
+
+    .macro smooth_background
+    ldr r4, [r12]
+    ldrh r4, [r4, #4]
     .endm
 
     .macro smooth_pixels count
@@ -135,15 +144,16 @@ asm(R"(
     fill_span
     .endm
 
+    .macro band_smooth_state
+    smooth_state
+    .endm
+
     .macro band_smooth_span unknown
     smooth_span \unknown, look_by_place
     .endm
 
-@ Words of r4 from r0 on up to r3, more than 16 pixels from where the span began.
-    .macro long_fill
-50: push {r1, r2, r7, r9, r10}
-    adds r3, #2                     @ to the end of a word
-    bic r3, r3, #3
+@ Words of r4 from r0 on up to r3, eight at least. Takes r1, r2, r5 to r7, r9 and r10.
+    .macro fill_blocks
     mov r1, r4
     mov r2, r4
     mov r5, r4
@@ -164,21 +174,66 @@ asm(R"(
 55: cmp r0, r3
     bls 54b
     stm r3, {r1, r2, r4-r7, r9, r10}  @ over what is there already
+    .endm
+
+@ The same, more than 16 pixels from where the span began.
+    .macro long_fill
+50: push {r1, r2, r7, r9, r10}
+    adds r3, #2                     @ to the end of a word
+    bic r3, r3, #3
+    fill_blocks
     pop {r1, r2, r7, r9, r10}
     b 9b
     .endm
 
-    .macro walk name, state, span
-    .section .text.\name, "ax", %progbits
+@ With whole_lines there is an entry that begins a line, and the walk ends it: what is painted with knows the background.
+    .macro walk kind, whole_lines=0
+    .section .text.spanline_\kind\()_walk, "ax", %progbits
     .p2align 2
-    .global \name
-    .type \name, %function
+    .if \whole_lines
+    .global spanline_\kind\()_line
+    .type spanline_\kind\()_line, %function
     .thumb_func
-\name:
+spanline_\kind\()_line:
+    push {r4-r11, lr}
+    ldr r2, [r0, #40]
+    ldrd r1, r3, [r0, #48]          @ now, alive_end
+    ldrd r11, r12, [r0, #24]
+    ldr lr, [r0, #36]
+    adds r3, #16
+    str r3, [r0, #32]
+    ldr r7, [r3]
+    cmp r7, lr
+    it gt
+    movgt r7, lr
+    mov r8, #0
+    mov r9, #0
+    mov r10, #0x80000000
+    \kind\()_state
+    push {r0, lr}
+    ldm r1!, {r3-r6}
+    cmp r3, r7
+    bgt 20f
+    cmp r3, #18 << 20               @ mostly there is background first, at the beginning of a word
+    blt 2f
+    asr r8, r3, #20
+    \kind\()_background
+    mov r0, r11
+    add r3, r11, r8, lsl #1
+    orr r4, r4, r4, lsl #16
+    b 50f
+    .size spanline_\kind\()_line, . - spanline_\kind\()_line
+
+    .p2align 2
+    .endif
+    .global spanline_\kind\()_walk
+    .type spanline_\kind\()_walk, %function
+    .thumb_func
+spanline_\kind\()_walk:
     push {r4-r11, lr}
     ldm r0, {r1, r2, r7-r12}
     ldr lr, [r0, #36]
-    \state
+    \kind\()_state
     push {r0, lr}
 1:  ldm r1!, {r3-r6}
     cmp r3, r7
@@ -187,7 +242,7 @@ asm(R"(
     bge 3f
     cmp r9, #0x200000
     bhs 31f
-    \span 33f
+    \kind\()_span 33f
     ldmdb r1, {r3-r6}
 3:  add r9, r5
     subs r6, #0x20000
@@ -227,7 +282,21 @@ asm(R"(
 31: subs r1, #16
     movs r0, #1
     b 39f
-32: movs r0, #0
+32:
+    .if \whole_lines
+    ldr r0, [sp]
+    cmp r9, #0
+    bne 34f
+    mvn r4, #0x80000000
+    cmp r3, r4
+    bne 34f
+    ldr r5, [r0, #32]
+    ldr r5, [r5]
+    cmp r5, r4
+    beq 60f
+34:
+    .endif
+    movs r0, #0
     b 39f
 33: subs r1, #16
     movs r0, #3
@@ -255,13 +324,44 @@ asm(R"(
     ldr r11, [r0, #24]
     b 1b
     long_fill
-    .size \name, . - \name
+
+    .if \whole_lines
+@ Nothing is left: as LineWalk::end_line(), and the background up to the line's end.
+60: str r4, [r2]
+    str r4, [r2, #16]
+    ldr r5, [r0, #40]
+    ldr r6, [r0, #48]
+    str r6, [r0, #40]
+    strd r5, r2, [r0, #48]
+    \kind\()_background
+    add r0, r11, r8, lsl #1
+    asr r3, lr, #20
+    add r3, r11, r3, lsl #1
+    strh r4, [r0], #2
+    adds r3, #16
+    strh r4, [r3, #-2]
+    bic r0, #3                      @ whole words
+    bic r3, #3
+    orr r4, r4, r4, lsl #16
+    sub r5, r3, r0
+    cmp r5, #32
+    blt 62f
+    fill_blocks
+    b 63f
+61: str r4, [r0], #4
+62: cmp r0, r3
+    blo 61b
+63: movs r0, #4
+    pop {r3, r4}
+    pop {r4-r11, pc}
+    .endif
+    .size spanline_\kind\()_walk, . - spanline_\kind\()_walk
     .endm
 
-    walk spanline_flat_walk, flat_state, flat_span
-    walk spanline_smooth_walk, smooth_state, smooth_span
-    walk spanline_band_flat_walk, band_state, band_span
-    walk spanline_band_smooth_walk, smooth_state, band_smooth_span
+    walk flat, whole_lines=1
+    walk smooth, whole_lines=1
+    walk band_flat
+    walk band_smooth
     .text
 )");
 

@@ -13,7 +13,7 @@ void EdgeWalker::begin() {
   CHECK(capacity_ >= kSentinels);
   most_ = kSentinels;
   overlap_.clear_overflow();
-  end_alive(now_);
+  walk_.end_alive(walk_.now);
 }
 
 // What the vertices of one instance start their edges from.
@@ -37,11 +37,11 @@ EdgeWalker::Fans<Word> EdgeWalker::fans_around(std::uint32_t vertex, const Drawn
   const std::uint32_t first = cursor_.first_vertex() + 1, first_id = cursor_.first_face() + 1;
   return {mesh.fan_starts.data(), mesh.fans.data(), &points_[first], drawn.words + first_id,
           drawn.not_drawn,        first_id,         first,           mesh.positions.size(),
-          now_ + capacity_};
+          walk_.now + capacity_};
 }
 
 void EdgeWalker::end_start(const Started& started) {
-  const auto needed = static_cast<std::uint32_t>(started.out - now_);
+  const auto needed = static_cast<std::uint32_t>(started.out - walk_.now);
   if (needed > most_) most_ = needed;
   started.first[-1].x = started.out->x = ActiveEdge::kNever;
 }
@@ -103,7 +103,7 @@ void EdgeWalker::gather_overlap() {
 inline FaceId EdgeWalker::begun_alone() const {
   const std::int32_t left = walk_.left;
   const auto at_left = [this, left](const ActiveEdge* end) {  // before those that begin is a sentinel
-    return end != now_ && end[-1].column() == left;
+    return end != walk_.now && end[-1].column() == left;
   };
   const bool of_other = at_left(walk_.other);
   const ActiveEdge* const end = of_other ? walk_.other : walk_.edge;
@@ -116,8 +116,8 @@ inline EdgeWalker::Column EdgeWalker::column() const {
   const std::int32_t from = walk_.left == 0 ? INT32_MIN : walk_.left;
   const ActiveEdge *const alive = walk_.alive(), *const begun = walk_.begun();
   Column column{alive, alive, begun, begun};
-  while (column.first != now_ && column.first[-1].column() >= from) --column.first;
-  while (column.begun != alive_end_ + 1 && column.begun[-1].column() >= from) --column.begun;
+  while (column.first != walk_.now && column.first[-1].column() >= from) --column.first;
+  while (column.begun != walk_.alive_end + 1 && column.begun[-1].column() >= from) --column.begun;
   return column;
 }
 
@@ -146,7 +146,7 @@ struct EdgeWalker::Faces {
 
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
-  Started started{alive_end_ + 1};
+  Started started{walk_.alive_end + 1};
   Fans<Word> fans;
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
     if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);

@@ -39,11 +39,11 @@ class EdgeWalker {
   EdgeWalker(const EdgeStorage& storage, const Screen& screen)
       : buckets_(storage.buckets, storage.links, storage.points),
         points_(storage.points),
-        now_(&storage.edges[0][0]),
-        next_(&storage.edges[1][0]),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
         planes_(storage.planes),
         screen_(screen) {
+    walk_.now = &storage.edges[0][0];
+    walk_.begin = &storage.edges[1][0];
     walk_.side = LineWalk::side_of(screen.width);
   }
 
@@ -59,7 +59,7 @@ class EdgeWalker {
   VertexBuckets::Mesh vertices(std::uint32_t first) { return {buckets_, first}; }
 
   // Whether nothing of `line` is covered.
-  bool is_blank(std::int32_t line) const { return alive_end_ == now_ && is_quiet(line); }
+  bool is_blank(std::int32_t line) const { return walk_.alive_end == walk_.now && is_quiet(line); }
   // Whether no edge begins on `line`, which needs no start_edges() then.
   bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
   // Starts the edges that begin on `line`; to be called for every line from top on that is
@@ -68,12 +68,12 @@ class EdgeWalker {
   template <typename Word>
   bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
-  // The visible spans of the line. sink.begin(LineWalk&) sets its pixels. sink.run(LineWalk&) is
-  // walk_on() with a paint of its own; where it stops at a look, sink.learn(FaceId) sees to it that it does not again.
-  // sink.one(left, right, FaceId) takes the spans at the line's right end, sink.rest(left) all of them where nothing
-  // covers it; sink.front(left, right, FaceId, ramp) those where others are behind. plane(FaceId) makes a face's depth
-  // plane. Steps the edges. False where more faces cover a pixel than the overlap set holds: from there on spans of
-  // several faces are left out.
+  // The visible spans of the line. sink.start(LineWalk&) sets its pixels, begins it and
+  // goes on as sink.run(LineWalk&), which is walk_on() with a paint of its own; where it stops at a look,
+  // sink.learn(FaceId) sees to it that it does not again. sink.one(left, right, FaceId) takes the spans at the line's
+  // right end, sink.rest(left) all of them where nothing covers it; sink.front(left, right, FaceId, ramp) those where
+  // others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel
+  // than the overlap set holds: from there on spans of several faces are left out.
   template <typename Sink, typename Plane>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane) {
     return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
@@ -134,16 +134,11 @@ class EdgeWalker {
   [[gnu::noinline]] static bool has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count,
                                          std::int32_t line, std::ptrdiff_t room);
   bool run_again(ActiveEdge& edge, std::int32_t line);
-  // Those alive end here, and none begins.
-  void end_alive(ActiveEdge* end) {
-    alive_end_ = end;
-    end[0].x = end[1].x = ActiveEdge::kNever;
-  }
   template <typename Sink, typename Plane, typename Again>
-  [[gnu::noinline]] bool go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
-                               const Again& again);
+  [[gnu::noinline]] WalkStop go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
+                                   const Again& again);
   template <typename Sink, typename Plane, typename Again>
-  [[gnu::noinline]] bool cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  [[gnu::noinline]] void cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   struct Column;
   Column column() const;
   FaceId begun_alone() const;
@@ -156,20 +151,17 @@ class EdgeWalker {
   InstanceCursor cursor_;
   VertexBuckets buckets_;
   PoolRef<ScreenXY> points_;
-  ActiveEdge* now_ = nullptr;   // the line's edges: those alive and a sentinel, those that begin and theirs
-  ActiveEdge* next_ = nullptr;  // the next line's
-  std::uint32_t capacity_ = 0;  // of both, and one more for the sentinel
+  std::uint32_t capacity_ = 0;  // of the line's edges and the next one's, and one more for the sentinel
   PlaneCache planes_;
   Screen screen_;
-  ActiveEdge* alive_end_ = nullptr;
   LineWalk walk_{};
   OverlapSet overlap_;
   std::uint32_t most_ = 0;
 };
 template <typename Feed>
 bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
-  Started started{alive_end_ + 1};
-  const ActiveEdge* const last = now_ + capacity_;  // for the sentinel
+  Started started{walk_.alive_end + 1};
+  const ActiveEdge* const last = walk_.now + capacity_;  // for the sentinel
   bool room = true;
   feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
     const FromVertex from(PackedXY(top), line);
@@ -215,29 +207,22 @@ void EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink
 template <typename Sink, typename Plane, typename Again>
 bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   LineWalk& walk = walk_;
-  walk.edge = now_;
-  walk.begin = walk.out = next_;
-  walk.other = alive_end_ + 1;
-  walk.limit = walk.limit_by(walk.other->x);
-  walk.left = 0;
-  walk.key = 0;
-  walk.furthest = INT32_MIN;
-  sink.begin(walk);
-  bool whole = true;
-  if (const WalkStop stop = sink.run(walk); stop != WalkStop::side) whole = go_on(stop, line, sink, plane, again);
-  if (walk.key == 0 && walk.edge->x == ActiveEdge::kNever && walk.other->x == ActiveEdge::kNever) [[likely]] {
-    sink.rest(walk.left);
-  } else {
-    whole = cut_off(line, sink, plane, again);
+  WalkStop stop = sink.start(walk);
+  if (goes_on(stop)) stop = go_on(stop, line, sink, plane, again);
+  if (stop == WalkStop::side) {
+    if (walk.is_through()) [[likely]] {
+      sink.rest(walk.left);
+    } else {
+      cut_off(line, sink, plane, again);
+    }
+    walk.end_line();
   }
-  std::swap(now_, next_);
-  end_alive(walk.out);
-  return whole;
+  return !overlap_.overflow();
 }
 
-// Goes on after a stop, up to the one at the side.
+// Goes on after a stop, up to the last one.
 template <typename Sink, typename Plane, typename Again>
-bool EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
+WalkStop EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   LineWalk& walk = walk_;
   do {
     if (stop == WalkStop::front) {
@@ -250,13 +235,13 @@ bool EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const
       walk.put_out();
     }
     stop = sink.run(walk);
-  } while (stop != WalkStop::side);
-  return !overlap_.overflow();
+  } while (goes_on(stop));
+  return stop;
 }
 
 // At the right end spans are cut off.
 template <typename Sink, typename Plane, typename Again>
-bool EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
+void EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   LineWalk& walk = walk_;
   for (;;) {
     if (walk.other->x < walk.edge->x) std::swap(walk.edge, walk.other);
@@ -272,7 +257,7 @@ bool EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane
       }
       walk.left = column;
     }
-    if (next->x == ActiveEdge::kNever) return !overlap_.overflow();
+    if (next->x == ActiveEdge::kNever) return;
     ++walk.edge;
     walk.key += next->toggle;
     *walk.out = *next;

@@ -28,6 +28,31 @@ struct LineWalk {
   std::int32_t side;        // up to this x a span that ends there may overshoot
   ActiveEdge* begin;        // the first of the next line's
   const void* painter;      // what else is painted with
+  ActiveEdge* now;          // the line's edges: those alive and a sentinel, those that begin and theirs
+  ActiveEdge* alive_end;    // that sentinel
+
+  // To the first edge of the line.
+  void begin_line() {
+    edge = now;
+    out = begin;
+    other = alive_end + 1;
+    limit = limit_by(other->x);
+    left = 0;
+    key = 0;
+    furthest = INT32_MIN;
+  }
+  // Whether nothing lies right of the column come to.
+  bool is_through() const { return key == 0 && edge->x == ActiveEdge::kNever && other->x == ActiveEdge::kNever; }
+  // The next line's edges become the line's.
+  void end_line() {
+    std::swap(now, begin);
+    end_alive(out);
+  }
+  // Those alive end here, and none begins.
+  void end_alive(ActiveEdge* end) {
+    alive_end = end;
+    end[0].x = end[1].x = ActiveEdge::kNever;
+  }
 
   // What lies beyond `side` is at the right end.
   static constexpr std::int32_t side_of(std::int32_t width) {
@@ -55,7 +80,9 @@ enum class WalkStop : std::uint32_t {
   front,  // before the next edge lies a span of several faces
   tall,   // *out is an edge that has been taken and ended, or has to begin again
   look,   // before the next edge lies a span of one face that the painter does not know
+  end,    // in place of side where the walk is through, if the walk has filled the rest of the line and ended it
 };
+constexpr bool goes_on(WalkStop stop) { return stop != WalkStop::side && stop != WalkStop::end; }
 
 // Walks on until it has to stop. paint(left, right, FaceId) takes spans of one face or none (0); false where it has to
 // stop before this one.
