@@ -51,6 +51,7 @@ void check_every_frame(std::uint32_t loop) {
   alignas(4) static std::uint8_t line[640];
   for (std::uint32_t k = 0; k < loop; k += 3) {
     stage.show(k);
+    frame.redraw({0, kScreen.height});
     for (Band rest{0, kScreen.height}; !rest.empty();) {
       const Band band = frame.prepare(stage.view(), stage.camera(), rest);
       ASSERT_FALSE(band.empty());
