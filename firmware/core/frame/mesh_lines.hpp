@@ -143,7 +143,7 @@ class MeshLines {
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
-  FaceLook look_of(FaceId face);
+  void make_look(FaceId face, FaceLook& look);
   bool turn_to(FaceId face, FaceLook& flat);
   const LightRig& lights(const InstanceCursor& at);
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,

@@ -37,7 +37,8 @@ struct MeshLines<kTaps, kPaint>::Sink {
   }
   // Sees to the look of a face, and that the brush knows it where it is smooth.
   void learn(FaceId face) const {
-    const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], [this](FaceId f) { return mesh.look_of(f); });
+    const auto make = [this](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
+    const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);
     if (look.smooth() && !mesh.brush_.knows(face, look)) {
       mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene()));
     }
@@ -199,21 +200,23 @@ template <bool kTaps, Paint kPaint>
 
 // How a face looks in a smooth scene, where its word is not a colour.
 template <bool kTaps, Paint kPaint>
-FaceLook MeshLines<kTaps, kPaint>::look_of(FaceId face) {
+void MeshLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
   const SmoothFaces& of = smooth_faces_;
   if (std::uint32_t{face} - of.first >= of.count) [[unlikely]] {
-    FaceLook flat{};
-    if (!turn_to(face, flat)) return flat;
+    if (!turn_to(face, look)) return;
   }
   const std::uint32_t number = std::uint32_t{face} - of.first;
   const std::uint16_t* const corner = of.corners + 3 * number;
   const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
   const BrightnessPlane plane =
       brightness_plane({of.points[a], of.points[b], of.points[c]}, {of.levels[a], of.levels[b], of.levels[c]});
-  if ((plane.right | plane.down) != 0) return {plane, 0, of.material};
+  if ((plane.right | plane.down) != 0) {
+    look = {plane, face, of.material};
+    return;
+  }
   const std::uint16_t* const colors = smooth_.colors(of.material, scene_.scene());
   brush_.dip(of.material, colors);
-  return FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
+  look = FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)], face);
 }
 
 // The face and its group become the faces at hand; false where they are flat, and look so.
@@ -228,7 +231,7 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
-    flat = FaceLook::flat(flat_color(at, mesh_face, material, lights(at)));
+    flat = FaceLook::flat(flat_color(at, mesh_face, material, lights(at)), face);
     return false;
   }
   const std::uint32_t vertex = at.first_vertex() + 1;

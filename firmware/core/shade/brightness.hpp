@@ -65,7 +65,7 @@ struct FaceLook {
   std::uint16_t material;
 
   static constexpr std::uint16_t kNoMaterial = 0xffff;
-  static constexpr FaceLook flat(std::uint16_t color) { return {{0, color, 0}, 0, kNoMaterial}; }
+  static constexpr FaceLook flat(std::uint16_t color, FaceId face = 0) { return {{0, color, 0}, face, kNoMaterial}; }
   bool smooth() const { return material != kNoMaterial; }
   bool flat_of(FaceId f) const { return face == f && !smooth(); }
   std::uint16_t color() const { return static_cast<std::uint16_t>(plane.right); }  // where not smooth
@@ -114,16 +114,18 @@ class SmoothCache {
     }
     return look;
   }
-  // The same where each face has a slot for the number of its look: the look made first gives way. 0: none made yet.
+  // The same where each face has a slot for the number of its look: the look made first gives way, and make(face, look)
+  // makes all of it in its place. 0: none made yet.
   template <typename Make>
   const FaceLook& look(FaceId face, std::uint8_t& slot, const Make& make) {
-    FaceLook& last = looks_[slot];
-    if (last.face == face) return last;
-    oldest_ = oldest_ == looks_.capacity() ? std::uint8_t{1} : static_cast<std::uint8_t>(oldest_ + 1);
-    slot = oldest_;
-    looks_[oldest_] = make(face);
-    looks_[oldest_].face = face;
-    return looks_[oldest_];
+    FaceLook* look = &looks_[slot];
+    if (look->face != face) {
+      oldest_ = oldest_ == looks_.capacity() ? std::uint8_t{1} : static_cast<std::uint8_t>(oldest_ + 1);
+      slot = oldest_;
+      look = &looks_[oldest_];
+      make(face, *look);
+    }
+    return *look;
   }
   // Likewise a material's colours in the light of the scene.
   const std::uint16_t* colors(std::uint16_t material, const SceneRecord& scene) {
