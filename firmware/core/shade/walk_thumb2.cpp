@@ -54,6 +54,9 @@ asm(R"(
     .macro flat_state
     .endm
 
+    .macro flat_tail unknown
+    .endm
+
     .macro flat_background
     ldrh r4, [r12]
     .endm
@@ -63,6 +66,9 @@ asm(R"(
     uxth lr, r9
     ldrh r4, [r12, lr, lsl #1]
     fill_span
+    .endm
+
+    .macro band_flat_tail unknown
     .endm
 
     .macro band_flat_state
@@ -101,6 +107,7 @@ asm(R"(
     ldrh r4, [r4, #4]
     .endm
 
+@ 14 bytes each.
     .macro smooth_pixels count
     .rept \count
     lsr lr, r5, #26
@@ -110,7 +117,7 @@ asm(R"(
     .endr
     .endm
 
-@ The same with the face's brightness, up to three pixels too far; to `unknown` where the brush does not know it.
+@ The same with the face's brightness.
     .macro smooth_span unknown, find=look_by_slot
     uxth lr, r9
     ldm r12, {r0, r4, r5, r6}       @ looks, slots or mask, material, line
@@ -119,29 +126,42 @@ asm(R"(
     add r4, r0, r4, lsl #4
     ldr lr, [r4, #12]
     cmp r5, lr
-    bne 8f
+    bne 80f
     ldm r4, {r0, r4, r5}            @ at_zero, right, down
     mla r0, r6, r5, r0
     mla r5, r8, r4, r0
     add r0, r11, r8, lsl #1
-    asr r8, r3, #20
-    add r3, r11, r8, lsl #1
+    rsb r3, r8, r3, asr #20         @ pixels
+    add r8, r3
     ldr r6, [r12, #16]              @ colours
-    .rept 2
-    smooth_pixels 2
-    cmp r0, r3
-    bhs 9f
+    rsbs lr, r3, #8
+    bhs 7f
+6:  smooth_pixels 4
+    subs r3, #4
+    rsbs lr, r3, #8
+    blo 6b
+7:  tbb [pc, lr]                    @ past those of eight that are too many
+71: .set at, 72f - 71b
+    .rept 8
+    .byte at / 2
+    .set at, at + 14
     .endr
-7:  smooth_pixels 4
-    cmp r0, r3
-    blo 7b
-    b 9f
-8:  uxth r5, r9
+72: smooth_pixels 8
+    .endm
+
+@ The span of a face whose look, r4 and lr, is not the brush's: of one colour, or else to `unknown`.
+    .macro smooth_tail unknown
+80: uxth r5, r9
     movt r5, #0xffff
     cmp r5, lr
     bne \unknown
-    ldrh r4, [r4, #4]               @ one colour
+    ldrh r4, [r4, #4]
     fill_span
+    b 4b
+    .endm
+
+    .macro band_smooth_tail unknown
+    smooth_tail \unknown
     .endm
 
     .macro band_smooth_state
@@ -243,7 +263,7 @@ spanline_\kind\()_walk:
     cmp r9, #0x200000
     bhs 31f
     \kind\()_span 33f
-    ldmdb r1, {r3-r6}
+4:  ldmdb r1, {r3-r6}
 3:  add r9, r5
     subs r6, #0x20000
     blo 10f
@@ -323,6 +343,7 @@ spanline_\kind\()_walk:
     adds r2, #16
     ldr r11, [r0, #24]
     b 1b
+    \kind\()_tail 33b
     long_fill
 
     .if \whole_lines
