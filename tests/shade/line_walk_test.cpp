@@ -3,6 +3,7 @@
 
 #include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
+#include "core/shade/grid_walk.hpp"
 #include "oracle/random.hpp"
 
 namespace spanline::test {
@@ -12,10 +13,15 @@ using oracle::Random;
 
 constexpr int kMostEdges = 14, kWidest = 150, kFaces = 20, kPlaces = 16;
 
+struct Cell {  // of a grid
+  std::uint16_t color, other[5];
+};
+
 struct Line {
   ActiveEdge edges[kMostEdges + 2];  // those alive and a sentinel, those that begin and a sentinel
   ActiveEdge next[kMostEdges + 1];
   std::uint16_t words[kFaces + 1];
+  Cell cells[kFaces / 2 + 1];
   std::uint8_t slots[kFaces + 1];
   FaceLook looks[kFaces + 1];
   FaceColor colors[kPlaces];
@@ -45,7 +51,8 @@ void make_edges(Random& random, int width, ActiveEdge* edges, int count) {
 constexpr std::uint16_t kKnown = 7;  // the material
 std::uint16_t colors[ColorTable::kEntries];
 
-enum class Kind { flat, smooth, band_flat, band_smooth };
+enum class Kind { flat, cells, smooth, band_flat, band_smooth };
+constexpr bool knows_all(Kind kind) { return kind == Kind::flat || kind == Kind::cells; }
 constexpr bool is_smooth(Kind kind) { return kind == Kind::smooth || kind == Kind::band_smooth; }
 
 // The colour of a pixel; false where the walk does not know it.
@@ -56,7 +63,7 @@ bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uin
     return line.colors[place].face == face;
   }
   color = line.words[face];
-  if (kind == Kind::flat || (kind == Kind::smooth && face == 0)) return true;
+  if (knows_all(kind) || (kind == Kind::smooth && face == 0)) return true;
   const FaceLook& look = line.looks[kind == Kind::smooth ? line.slots[face] : place];
   if (look.face != face) return false;
   color = look.material == kKnown ? colors[look.plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look.color();
@@ -167,6 +174,8 @@ void make_places(Random& random, Line& line) {
 
 WalkStop walk_fast(LineWalk& walk, Kind kind) {
   switch (kind) {
+    case Kind::cells:
+      return grid_walk<Cell>(walk);
     case Kind::smooth:
       return smooth_walk(walk);
     case Kind::band_flat:
@@ -181,6 +190,7 @@ WalkStop walk_fast(LineWalk& walk, Kind kind) {
 WalkStop start_fast(LineWalk& walk, Kind kind) {
   if (kind == Kind::flat) return flat_line(walk);
   if (kind == Kind::smooth) return smooth_line(walk);
+  if (kind == Kind::cells) return grid_line<Cell>(walk);
   walk.begin_line();
   return walk_fast(walk, kind);
 }
@@ -197,6 +207,10 @@ void compare(Kind kind) {
     for (std::uint16_t& pixel : fast.pixels) pixel = 0xabcd;
     if (is_smooth(kind)) make_looks(random, fast);
     if (kind == Kind::band_flat || kind == Kind::band_smooth) make_places(random, fast);
+    for (int i = 0; i <= kFaces && kind == Kind::cells; ++i) {
+      fast.words[i] = fast.words[i & ~1];
+      fast.cells[i / 2] = {fast.words[i], {}};
+    }
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
     SmoothBrush brush(fast.looks, {fast.slots});
@@ -209,6 +223,7 @@ void compare(Kind kind) {
     const FaceColors face_colors({fast.colors, kPlaces - 1});
     std::copy(std::begin(fast.looks), std::end(fast.looks), slow.looks);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
+    if (kind == Kind::cells) at_fast.faces = fast.cells;
     at_fast.painter = kind == Kind::smooth        ? static_cast<const void*>(&brush)
                       : kind == Kind::band_smooth ? static_cast<const void*>(&band_brush)
                                                   : &face_colors;
@@ -230,10 +245,12 @@ void compare(Kind kind) {
       }
     }
   }
-  for (int i = 0; i < (kind == Kind::flat ? 3 : 4); ++i) EXPECT_GT(stops[i], 50) << i;
+  for (int i = 0; i < (knows_all(kind) ? 3 : 4); ++i) EXPECT_GT(stops[i], 50) << i;
 }
 
 TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(Kind::flat); }
+
+TEST(LineWalk, PaintsTheCellsOfGridsAsPixelByPixel) { compare(Kind::cells); }
 
 TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(Kind::smooth); }
 

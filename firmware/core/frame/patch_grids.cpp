@@ -60,7 +60,7 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
   GridVertex* out = &v_[at];
   job.dicer->step_off(row, [&](const ClipPoint& p) {
     const ScreenPoint on_screen = projection.clamped(p);
-    *out++ = {on_screen.at, on_screen.depth, stride & 0x7fu, first_row, 0, CellParts::kNone, 0};
+    *out++ = {0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, first_row};
   });
   return true;
 }

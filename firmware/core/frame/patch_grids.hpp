@@ -14,13 +14,13 @@ namespace spanline {
 struct GridVertex {
   static constexpr std::uint16_t kMost = 8191;  // `next`
 
+  std::uint16_t color;      // of the cell, as flat_payload() has it; here for grid_walk()
+  std::uint16_t next : 13;  // in the list of those that are filed under one line
+  std::uint16_t parts : 3;  // CellParts of the cell; none in the last row and column
   ScreenXY at;
   std::uint32_t depth : 24;     // Q16.8
   std::uint32_t stride : 7;     // vertices of a row
   std::uint32_t first_row : 1;  // no cells lie above
-  std::uint16_t next : 13;      // in the list of those that are filed under one line
-  std::uint16_t parts : 3;      // CellParts of the cell; none in the last row and column
-  std::uint16_t color;          // of the cell, as flat_payload() has it
 };
 static_assert(sizeof(GridVertex) == 12 && kMaxSteps + 1 < 1 << 7);
 

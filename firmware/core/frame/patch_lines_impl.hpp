@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/patch_lines.hpp"
-#include "core/shade/fill_words.hpp"
+#include "core/shade/grid_walk.hpp"
 
 namespace spanline {
 
@@ -17,10 +17,13 @@ struct PatchLines<kTaps>::Sink {
   std::uint16_t line;
 
   WalkStop start(LineWalk& walk) const {
+    walk.pixels = painter.out();
+    if constexpr (kWords && !kTaps) return grid_line<GridVertex>(walk);
     walk.begin_line();
     return run(walk);
   }
   WalkStop run(LineWalk& walk) const {
+    if constexpr (kWords && !kTaps) return grid_walk<GridVertex>(walk);
     return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
       report_one(left, right, face);
       paint(left, right, face);
@@ -157,6 +160,7 @@ Status PatchLines<kTaps>::plan(std::uint16_t top) {
   grids_.begin(top, top + lines);
   top_ = top;
   walker_.begin();
+  walker_.paint_with(&grids_[0], nullptr);
   if (const Status status = dice_all(); !status.ok()) return status;
   grids_.file(buckets_);
   height_ = static_cast<std::uint16_t>(grids_.bottom() - top);

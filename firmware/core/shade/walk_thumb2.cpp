@@ -2,6 +2,7 @@
 // one colour, and with smooth ones.
 #include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
+#include "core/shade/grid_walk.hpp"
 #include "core/shade/walk_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
@@ -96,6 +97,21 @@ asm(R"(
     .macro look_by_place
     eor lr, lr, lr, lsr #5          @ face_place()
     and r4, lr
+    .endm
+
+    .macro grid_state
+    .endm
+
+    .macro grid_background
+    ldrh r4, [r12]
+    .endm
+
+@ The same, the colour that of the face's cell.
+    .macro grid_span unknown
+    ubfx lr, r9, #1, #15
+    add lr, lr, lr, lsl #1
+    ldrh r4, [r12, lr, lsl #2]
+    fill_span
     .endm
 
     .macro smooth_state
@@ -380,6 +396,7 @@ spanline_\kind\()_walk:
     .endm
 
     walk flat, whole_lines=1
+    walk grid, whole_lines=1
     walk smooth, whole_lines=1
     walk band_flat
     walk band_smooth
