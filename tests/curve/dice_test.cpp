@@ -96,12 +96,14 @@ Diced dice_all(const std::vector<PatchPoints>& patches, const Sides& sides, cons
   }
   for (const SidePoints& rim : sides.rims) {
     const ClipPoint p[4] = {view.matrix(rim[0]), view.matrix(rim[1]), view.matrix(rim[2]), view.matrix(rim[3])};
-    SideWalk walk(p, curve_steps(p, view.dice));
-    for (std::uint32_t i = 0; i < walk.steps(); ++i) {
-      const ClipPoint from = walk.at();
-      walk.step();
-      edges.add(from, walk.at());
-    }
+    const std::uint32_t steps = curve_steps(p, view.dice);
+    with_walk(p, steps, CurveReach(p).scale(steps), [&](auto& walk) {
+      for (std::uint32_t i = 0; i < walk.steps(); ++i) {
+        const ClipPoint from = walk.at();
+        walk.step();
+        edges.add(from, walk.at());
+      }
+    });
   }
   diced.cracks = edges.odd();
   return diced;

@@ -46,17 +46,17 @@ class PatchDicer {
   template <typename Vertex>
   void step_off(const GridRow& row, Vertex&& vertex) const {
     if (row.own != 0) {
-      GridSide side(row.control, row.own, columns_);
-      for (std::uint32_t i = 0; i < columns_; ++i, side.step()) vertex(side.at());
-      vertex(side.at());
+      with_walk(row.control, row.own, CurveReach(row.control).scale(row.own),
+                [&](auto& walk) { step_side_off(walk, columns_, vertex); });
       return;
     }
-    SideWalk walk(row.control, columns_);
     vertex(row.left);
-    for (std::uint32_t i = 1; i < columns_; ++i) {
-      walk.step();
-      vertex(walk.at());
-    }
+    with_walk(row.control, columns_, inner_.along, [&](auto& walk) {
+      for (std::uint32_t i = 1; i < columns_; ++i) {
+        walk.step();
+        vertex(walk.between());
+      }
+    });
     vertex(row.right);
   }
 
@@ -64,7 +64,13 @@ class PatchDicer {
   const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
   std::uint32_t own_first_, own_last_;  // steps of the sides along u
-  std::uint32_t own_left_, own_right_;  // and along v
+  struct Side {
+    std::uint32_t own;  // steps
+    CurveScale scale;   // at these
+  } left_, right_;      // sides along v
+  struct Inner {
+    CurveScale along, across;
+  } inner_;  // of rows and columns that are no sides
   std::uint32_t row_ = 0;
 };
 

@@ -19,30 +19,26 @@ Vector operator-(const Vector& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
 Vector difference(const Position& a, const Position& b) { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
 bool is_zero(const Vector& a) { return (a.v[0] | a.v[1] | a.v[2]) == 0; }
 
-// Bits of the largest magnitude.
-int width_of(const Vector& a) {
-  std::uint32_t all = 0;
-  for (const std::int32_t c : a.v) all |= static_cast<std::uint32_t>(c < 0 ? -c : c);
-  return static_cast<int>(std::bit_width(all));
+// All bits of the components' magnitudes; those of -2^n are n ones.
+std::uint32_t bits_of(const Vector& a) {
+  const auto bits = [](std::int32_t c) { return static_cast<std::uint32_t>(c ^ (c >> 31)); };
+  return bits(a.v[0]) | bits(a.v[1]) | bits(a.v[2]);
 }
 
-// Brings vectors to at most `bits` bits by a common exponent; they are never made longer.
+// Cuts vectors off to at most `bits` bits by a common exponent; they are never made longer.
 template <std::size_t N>
 void shorten(Vector (&vectors)[N], int bits) {
-  int width = 0;
-  for (const Vector& a : vectors) width = width_of(a) > width ? width_of(a) : width;
-  if (width <= bits) return;
-  for (Vector& a : vectors) {
-    for (std::int32_t& c : a.v) c = shift_round(c, width - bits);
-  }
+  std::uint32_t any = 0;
+  for (const Vector& a : vectors) any |= bits_of(a);
+  const int down = static_cast<int>(std::bit_width(any)) - bits;
+  if (down <= 0) return;
+  for (Vector& a : vectors) a = {{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}};
 }
 
-// To exactly kDirectionBits bits; nothing becomes of the zero vector.
-Vector direction(const Vector& a) {
-  const int up = kDirectionBits - width_of(a);
-  Vector out = a;
-  for (std::int32_t& c : out.v) c = up >= 0 ? c * (1 << up) : c >> -up;
-  return out;
+// To kDirectionBits bits at most. Shorter ones are exact as they are.
+[[gnu::always_inline]] inline Vector direction(const Vector& a) {
+  const int down = static_cast<int>(std::bit_width(bits_of(a))) - kDirectionBits;
+  return down <= 0 ? a : Vector{{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}};
 }
 
 Vector cross(const Vector& p, const Vector& q) {
@@ -78,7 +74,7 @@ Vector blend(const V* const (&points)[N], const std::int32_t (&weights)[N]) {
 }
 
 Normal10 pack(const Vector& normal) {
-  const Vector n = direction(normal);  // its square is below 2^30
+  const Vector n = direction(normal);  // its square is at most 3 * 2^28
   const InverseRoot inverse(static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]));
   const auto scale = static_cast<std::int32_t>(inverse.factor * 511 >> 9);  // at most 2^16
   const auto component = [&](int i) { return shift_round(n.v[i] * scale, 31 - 9 - inverse.up); };

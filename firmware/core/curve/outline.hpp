@@ -45,7 +45,7 @@ class OutlineReader {
   void step_off(std::uint32_t begin, std::uint32_t end, Sink&& sink) const {
     for (std::uint32_t i = begin; i < end; i += 3) {
       const ClipPoint p[4] = {point(i), point(i + 1), point(i + 2), point(i + 3 < end ? i + 3 : begin)};
-      SideWalk walk(p, curve_steps(p, view_));
+      SideWalk<std::int64_t> walk(p, curve_steps(p, view_));
       for (std::uint32_t step = 0; step < walk.steps(); ++step) {
         sink(walk.at());
         walk.step();

@@ -3,14 +3,11 @@
 
 #include <cstdint>
 
-#include "core/curve/basis.hpp"
+#include "core/base/check.hpp"
+#include "core/curve/scaled.hpp"
 #include "core/geom/projection.hpp"
 
 namespace spanline {
-
-// Most steps of a curve. A curve that would need more (a patch that fills the screen many times over) is stepped that
-// often and no more: its chords are then coarser than asked for, on both sides of a joint alike.
-inline constexpr std::uint32_t kMaxSteps = 64;
 
 // What the number of steps depends on, beside the curve's own four control points. All patches that share a boundary
 // must be given the same.
@@ -29,45 +26,131 @@ struct DiceView {
 // the curve run backwards.
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view);
 
+// How a curve's points are had: in 32 bits, from control points without their last `down` bits, or in 64 from all bits.
+struct CurveScale {
+  bool is_short = false;
+  int down = 0;
+};
+
+// What that depends on: where the control points of a curve lie.
+class CurveReach {
+ public:
+  CurveReach() = default;
+  CurveReach(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3) {
+    for (const ClipPoint* p : {&p0, &p1, &p2, &p3}) {
+      any_ |= magnitude_bits(p->x) | magnitude_bits(p->y) | magnitude_bits(p->w);
+      if (p->w < nearest_) nearest_ = p->w;
+    }
+  }
+  explicit CurveReach(const ClipPoint (&p)[4]) : CurveReach(p[0], p[1], p[2], p[3]) {}
+  // Of both curves.
+  void widen(const CurveReach& other) {
+    any_ |= other.any_;
+    if (other.nearest_ < nearest_) nearest_ = other.nearest_;
+  }
+
+  // For steps of 1 / steps. Points that are off by the bits given up and half as much more are so by less than a
+  // sixteenth of a pixel on the screen.
+  CurveScale scale(std::uint32_t steps) const {
+    constexpr int kFinest = 16;
+    static_assert(3 * kGuardPx * kSubpixels <= 1 << kFinest, "x or y, and w are off");
+    const int down = static_cast<int>(std::bit_width(any_)) + kCubes[steps].shift - 29;  // n^3 <= 2^(shift + 2)
+    if (nearest_ < 1 << kFinest || (down > 0 && (nearest_ >> kFinest) >> down == 0)) return {};
+    return {true, down > 0 ? down : 0};
+  }
+
+ private:
+  static std::uint32_t magnitude_bits(std::int32_t v) { return static_cast<std::uint32_t>(v ^ (v >> 31)); }
+
+  std::uint32_t any_ = 0;  // all bits of the coordinates' magnitudes
+  std::int32_t nearest_ = INT32_MAX;
+};
+
 // t = index / steps: of the point there of any number of curves. n^3 * B(i / n) is a sum with weights that add up to
 // n^3.
 class CurveParameter {
  public:
   // index <= steps, 1 <= steps <= kMaxSteps.
   CurveParameter(std::uint32_t index, std::uint32_t steps);
-  // The point of the curve with these control points that SideWalk steps to.
-  ClipPoint of(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3) const;
+  // The point of the curve with these control points that its walk steps to.
+  ClipPoint of(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3,
+               const CurveScale& scale) const {
+    if (weight_[3] == 0) return p0;
+    if (weight_[0] == 0) return p3;
+    return scale.is_short ? blend<std::int32_t>(p0, p1, p2, p3, scale.down)
+                          : blend<std::int64_t>(p0, p1, p2, p3, scale.down);
+  }
 
  private:
+  template <typename Int>
+  ClipPoint blend(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3, int down) const {
+    const typename ScaledAxis<Int>::Scale scale{kCubes[steps_], down};
+    const auto at = [&](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+      return ScaledAxis<Int>::weighted(a, b, c, d, weight_, scale);
+    };
+    return {at(p0.x, p1.x, p2.x, p3.x), at(p0.y, p1.y, p2.y, p3.y), at(p0.w, p1.w, p2.w, p3.w)};
+  }
+
   std::int32_t weight_[4];
   std::uint32_t steps_;
 };
 inline ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::uint32_t steps) {
-  return CurveParameter(index, steps).of(p[0], p[1], p[2], p[3]);
+  return CurveParameter(index, steps).of(p[0], p[1], p[2], p[3], CurveReach(p).scale(steps));
 }
 
-// Steps off the points of a curve at t = i / n exactly: the registers hold n^3 times the coordinate, an integer, so
-// that the point is the same number seen from either end. What comes out is rounded once, by a rule that sees that
-// number and n only.
+// Steps off the points of a curve at t = i / n (scaled.hpp), so that each is the same number seen from either end.
+// Int: as its CurveScale has it.
+template <typename Int>
 class SideWalk {
  public:
   SideWalk() = default;
-  SideWalk(const ClipPoint (&p)[4], std::uint32_t steps);
+  SideWalk(const ClipPoint (&p)[4], std::uint32_t steps, int down = 0)
+      : x_(p[0].x, p[1].x, p[2].x, p[3].x, steps, down),
+        y_(p[0].y, p[1].y, p[2].y, p[3].y, steps, down),
+        w_(p[0].w, p[1].w, p[2].w, p[3].w, steps, down),
+        scale_{kCubes[steps], down},
+        first_(p[0]),
+        last_(p[3]),
+        steps_(steps) {
+    CHECK(steps >= 1 && steps <= kMaxSteps);
+  }
 
-  // The current point; the control point itself at both ends. Within 2 units of the exact one in each coordinate.
-  ClipPoint at() const;
-  void step();
+  // The current point; the control point itself at both ends. In 64 bits within 2 units of the exact one in each
+  // coordinate, in 32 bits within 1.5 * 2^down.
+  ClipPoint at() const { return index_ == 0 ? first_ : index_ == steps_ ? last_ : between(); }
+  // Likewise, but not at the ends.
+  ClipPoint between() const { return {x_.at(scale_), y_.at(scale_), w_.at(scale_)}; }
+  void step() {
+    CHECK(index_ < steps_);
+    ++index_;
+    x_.step();
+    y_.step();
+    w_.step();
+  }
   std::uint32_t steps() const { return steps_; }
 
  private:
   // No difference is above 24 n^3 times a coordinate's range of 2^32.
   static_assert(std::int64_t{24} * kMaxSteps * kMaxSteps * kMaxSteps <= INT64_MAX >> 32);
 
-  CurveBasis<std::int64_t> x_, y_, w_;
+  ScaledAxis<Int> x_, y_, w_;
+  typename ScaledAxis<Int>::Scale scale_;
   ClipPoint first_{}, last_{};
   std::uint32_t steps_ = 1;
   std::uint32_t index_ = 0;
 };
+
+// Hands walk(SideWalk&) the one that is for the curve.
+template <typename Walk>
+void with_walk(const ClipPoint (&p)[4], std::uint32_t steps, const CurveScale& scale, Walk&& walk) {
+  if (scale.is_short) {
+    SideWalk<std::int32_t> by_words(p, steps, scale.down);
+    walk(by_words);
+  } else {
+    SideWalk<std::int64_t> by_pairs(p, steps);
+    walk(by_pairs);
+  }
+}
 
 // A side of a patch as its grid sees it: grid vertex i of `grid` is vertex floor((2 i own + grid) / (2 grid)) of the
 // side's own `own` <= grid ones. So each own chord is used once, whatever the grid, and the neighbour uses the same.
@@ -75,26 +158,17 @@ constexpr std::uint32_t side_vertex(std::uint32_t i, std::uint32_t own, std::uin
   return (2 * i * own + grid) / (2 * grid);
 }
 
-// Steps a side off in this way.
-class GridSide {
- public:
-  GridSide() = default;
-  GridSide(const ClipPoint (&p)[4], std::uint32_t own, std::uint32_t grid) : walk_(p, own), grid_(grid), turn_(grid) {}
-
-  ClipPoint at() const { return walk_.at(); }
-
-  // To the next grid vertex.
-  void step() {
-    turn_ += 2 * walk_.steps();
-    if (turn_ < 2 * grid_) return;
-    turn_ -= 2 * grid_;
-    walk_.step();
+// Hands the vertices of a side in this way to vertex(const ClipPoint&); `walk` is the side's own.
+template <typename Walk, typename Vertex>
+void step_side_off(Walk& walk, std::uint32_t grid, Vertex& vertex) {
+  std::uint32_t turn = grid;
+  for (std::uint32_t i = 0; i <= grid; ++i) {
+    vertex(walk.at());
+    turn += 2 * walk.steps();
+    if (turn < 2 * grid || i == grid) continue;
+    turn -= 2 * grid;
+    walk.step();
   }
-
- private:
-  SideWalk walk_;
-  std::uint32_t grid_ = 1;
-  std::uint32_t turn_ = 1;
-};
+}
 
 }  // namespace spanline

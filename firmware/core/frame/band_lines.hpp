@@ -39,7 +39,7 @@ class BandLines {
   }
   [[gnu::noinline]] bool start_edges(std::int32_t line);
   template <typename Add>
-  void feed(std::uint32_t vertex, ScreenXY at, const Add& add);
+  void feed(std::uint32_t vertex, const FromVertex& from, const Add& add);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   [[gnu::noinline]] DepthPlane plane(FaceId face);
   void corners(FaceId face, ScreenXY (&at)[3]);

@@ -206,11 +206,11 @@ void BandLines<kTaps, kPaint>::plan(std::uint16_t top) {
 template <bool kTaps, Paint kPaint>
 bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
   if (!crowded_ && vertices_.is_empty(line)) return true;
-  return walker_.start_fed(line, [&](const auto& add) {
+  return walker_.start_fed([&](const auto& add) {
     if (!crowded_) {
       while (!vertices_.is_empty(line)) {
         const BandVertex& next = vertices_.pop(line);
-        feed(next.vertex - 1u, next.at, add);
+        feed(next.vertex - 1u, FromVertex(PackedXY(next.at), line), add);
       }
       return;
     }
@@ -219,7 +219,7 @@ bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
       const ScreenXY at = project(vertex);
       if (vertices_.first_line(at) != line) continue;
       vertices_.reach(vertex);
-      feed(vertex, at, add);
+      feed(vertex, FromVertex(PackedXY(at), line), add);
     }
   });
 }
@@ -228,7 +228,7 @@ bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
 // wait any more.
 template <bool kTaps, Paint kPaint>
 template <typename Add>
-void BandLines<kTaps, kPaint>::feed(std::uint32_t vertex, ScreenXY at, const Add& add) {
+void BandLines<kTaps, kPaint>::feed(std::uint32_t vertex, const FromVertex& from, const Add& add) {
   points_.to_vertex(vertex);
   const MeshRecord& mesh = points_.mesh();
   const std::uint32_t first = points_.first_vertex(), first_face = points_.first_face();
@@ -243,8 +243,10 @@ void BandLines<kTaps, kPaint>::feed(std::uint32_t vertex, ScreenXY at, const Add
     if (!vertices_.known(first + to)) continue;
     const BandVertex* const kept = vertices_.find(first + to);
     if (kept != nullptr && kept->reached()) continue;
+    const PackedXY bottom(kept != nullptr ? kept->at : points_[to]);
+    if (from.has_ended(bottom)) continue;
     const FaceId begins = shown(edge->face), ends = shown(edge->twin);
-    if ((begins | ends) != 0) add(at, kept != nullptr ? kept->at : points_[to], begins, ends);
+    if ((begins | ends) != 0) add(from, bottom, begins, ends);
   }
 }
 

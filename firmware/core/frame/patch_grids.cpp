@@ -1,6 +1,6 @@
 #include "core/frame/patch_grids.hpp"
 
-#include "core/shade/pixel.hpp"
+#include "core/shade/flat_light.hpp"
 
 namespace spanline {
 
@@ -69,37 +69,41 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
 // cell touches is left out where it is the first.
 void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
   const std::uint32_t stride = job.columns() + 1;
-  const std::uint32_t above = grid.header + 1 + (grid.rows - 1) * stride, below = above + stride;
-  bool any = false;
-  for (std::uint32_t i = 0; i < job.columns(); ++i) {
-    v_[above + i].parts = seen_parts(job, above + i, below + i) & 7u;
-    any = any || v_[above + i].parts != CellParts::kNone;
-  }
-  if (any) {
+  GridVertex* const above = &v_[grid.header + 1 + (grid.rows - 1) * stride];
+  if (note_parts(job, above, above + stride)) {
     const NormalRow normals(*job.tangents, 2 * row + 1);
+    const FlatLight light(*job.look.lights, *job.look.material, job.look.format);
     for (std::uint32_t i = 0; i < job.columns(); ++i) {
-      GridVertex& vertex = v_[above + i];
-      if (vertex.parts == CellParts::kNone) continue;
-      vertex.color =
-          flat_payload(job.look.format, job.look.lights->shade(normals.at(2 * i + 1), *job.look.material, false));
+      if (above[i].parts != CellParts::kNone) above[i].color = light.payload(normals.at(2 * i + 1));
     }
   } else if (grid.rows == 1) {
     for (std::uint32_t i = 0; i < stride; ++i) {
-      v_[above + i] = v_[below + i];
-      v_[above + i].first_row = 1;
+      above[i] = above[stride + i];
+      above[i].first_row = 1;
     }
     return;
   }
   ++grid.rows;
 }
 
-std::uint8_t PatchGrids::seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const {
-  const ScreenXY a = v_[vertex].at, b = v_[vertex + 1].at, c = v_[below + 1].at, d = v_[below].at;
-  const std::uint8_t parts = CellParts::of(a, b, c, d, false, false);
-  if (parts == CellParts::kNone || job.whole) return parts;
-  ScreenBounds bounds;
-  for (const ScreenXY& p : {a, b, c, d}) bounds.widen(p);
-  return job.window.meets(bounds) ? parts : std::uint8_t{CellParts::kNone};
+// Notes which parts of the cells between two rows may be seen; returns whether any.
+bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below) {
+  PackedXY a(above->at), d(below->at);
+  std::uint32_t any = 0;
+  for (std::uint32_t i = job.columns(); i != 0; --i, ++above) {
+    const PackedXY b(above[1].at), c((++below)->at);
+    std::uint8_t parts = CellParts::of(a, b, c, d, false, false);
+    if (parts != CellParts::kNone && !job.whole) {
+      ScreenBounds bounds;
+      for (const PackedXY& p : {a, b, c, d}) bounds.widen(p.unpacked());
+      if (!job.window.meets(bounds)) parts = CellParts::kNone;
+    }
+    above->parts = parts & 7u;
+    any |= parts;
+    a = b;
+    d = c;
+  }
+  return any != 0;
 }
 
 void PatchGrids::close(Open& grid) {

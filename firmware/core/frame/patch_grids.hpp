@@ -61,15 +61,6 @@ class PatchGrids {
   // Cells are named as faces by twice the number of their first vertex, their lower triangles, where those are apart,
   // by one more.
   std::uint16_t color(FaceId face) const { return v_[face / 2u].color; }
-  // The face that the upper, or the lower triangle of the cell belongs to; 0 where it is not drawn.
-  FaceId upper(std::uint32_t vertex) const {
-    return static_cast<FaceId>((v_[vertex].parts & CellParts::kUpper) != 0 ? 2 * vertex : 0);
-  }
-  FaceId lower(std::uint32_t vertex) const {
-    const std::uint32_t parts = v_[vertex].parts;
-    if ((parts & CellParts::kLower) == 0) return 0;
-    return static_cast<FaceId>(2 * vertex + ((parts & CellParts::kApart) != 0 ? 1 : 0));
-  }
   // The corners of a face, counter-clockwise; returns how many.
   std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
   // The edge of a face that crosses `line` and runs down (on its left) or up. False where none does.
@@ -96,7 +87,7 @@ class PatchGrids {
 
   void strip(const PatchJob& job, Open& grid, std::uint32_t row);
   bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
-  std::uint8_t seen_parts(const PatchJob& job, std::uint32_t vertex, std::uint32_t below) const;
+  static bool note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below);
   void close(Open& grid);
   std::uint32_t pack(std::uint32_t from, std::uint32_t to);
   std::uint32_t size(std::uint32_t header) const {

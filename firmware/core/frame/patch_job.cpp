@@ -32,12 +32,13 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
   std::uint8_t outside_any = 0, outside_all = 0xff;
   ScreenXY at[4][4];
   for (std::uint32_t i = 0; i < 16; ++i) {
-    const ClipPoint p = reader.control_point(i);
-    const std::uint8_t code = projection.outcode(p);
+    ClipPoint& p = patch.at[i / 4][i % 4];
+    ClipPoint inside = p = reader.control_point(i);
+    const std::uint8_t code = projection.inside(p) ? std::uint8_t{0} : projection.outcode(p);
+    if (code != 0) inside = projection.held(p);
     outside_any |= code;
     outside_all &= code;
-    patch.at[i / 4][i % 4] = p;
-    bounds.widen_hull(at[i / 4][i % 4] = projection.clamped(p).at);
+    bounds.widen_hull(at[i / 4][i % 4] = projection(inside).at);
   }
   behind = (outside_any & Outcode::kNear) != 0;
   outside = outside_any != 0;
@@ -60,28 +61,6 @@ ScreenBounds PatchJob::bounds_of(const GridRow& row) const {
   b.widen_hull(reader.projection().clamped(row.left).at);
   b.widen_hull(reader.projection().clamped(row.right).at);
   return b;
-}
-
-std::uint8_t CellParts::of(ScreenXY a, ScreenXY b, ScreenXY c, ScreenXY d, bool mirrored, bool two_sided) {
-  // Doubled, negative for fronts; a b c + a c d = a b d + b c d.
-  std::int32_t abc = doubled_area(a, b, c), acd = doubled_area(a, c, d), abd = doubled_area(a, b, d);
-  if (mirrored) {
-    abc = -abc;
-    acd = -acd;
-    abd = -abd;
-  }
-  const auto bcd = static_cast<std::int32_t>(static_cast<std::uint32_t>(abc) + static_cast<std::uint32_t>(acd) -
-                                             static_cast<std::uint32_t>(abd));
-  if ((abc | acd | abd | bcd) == 0) return kNone;
-  const auto part = [&](bool upper, bool lower) {
-    return static_cast<std::uint8_t>((upper ? kUpper : 0) | (lower ? kLower : 0) | kApart);
-  };
-  if (abc <= 0 && acd <= 0 && abd <= 0 && bcd <= 0) return kQuad;
-  if (two_sided) {
-    if (abc >= 0 && acd >= 0 && abd >= 0 && bcd >= 0) return kQuad;
-    return part(abc != 0, acd != 0);
-  }
-  return abc < 0 || acd < 0 ? part(abc < 0, acd < 0) : std::uint8_t{kNone};
 }
 
 }  // namespace spanline

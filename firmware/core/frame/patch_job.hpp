@@ -59,7 +59,23 @@ struct CellParts {
   enum : std::uint8_t { kNone = 0, kUpper = 1, kLower = 2, kQuad = kUpper | kLower, kApart = 4 };
 
   // Those that turn their fronts to the viewer, `two_sided`: all. `mirrored`: fronts run clockwise.
-  static std::uint8_t of(ScreenXY a, ScreenXY b, ScreenXY c, ScreenXY d, bool mirrored, bool two_sided);
+  static std::uint8_t of(PackedXY a, PackedXY b, PackedXY c, PackedXY d, bool mirrored, bool two_sided) {
+    // Doubled, negative for fronts; a b c + a c d = a b d + b c d.
+    std::int32_t abc = doubled_area(a, b, c), acd = doubled_area(a, c, d), abd = doubled_area(a, b, d);
+    if (mirrored) {
+      abc = -abc;
+      acd = -acd;
+      abd = -abd;
+    }
+    const auto bcd = static_cast<std::int32_t>(static_cast<std::uint32_t>(abc) + static_cast<std::uint32_t>(acd) -
+                                               static_cast<std::uint32_t>(abd));
+    const std::int32_t any = abc | acd | abd | bcd;
+    if (any >= 0) return two_sided && any != 0 ? kQuad : kNone;
+    if (abc <= 0 && acd <= 0 && abd <= 0 && bcd <= 0) return kQuad;
+    const bool upper = two_sided ? abc != 0 : abc < 0, lower = two_sided ? acd != 0 : acd < 0;
+    if (!upper && !lower) return kNone;
+    return static_cast<std::uint8_t>((upper ? kUpper : 0) | (lower ? kLower : 0) | kApart);
+  }
 };
 
 // The reader's current face, a patch, as it is diced for a window.

@@ -215,34 +215,46 @@ Status PatchLines<kTaps>::dice(std::uint16_t face, const LightRig& rig) {
   }
 }
 
+// A cell of a grid, as its corners look at it.
+struct GridCell {
+  std::uint32_t vertex = 0, parts = CellParts::kNone;
+
+  // The face that its upper, or its lower triangle belongs to; 0 where it is not drawn.
+  FaceId upper() const { return static_cast<FaceId>((parts & CellParts::kUpper) != 0 ? 2 * vertex : 0); }
+  FaceId lower() const {
+    static_assert(CellParts::kApart == 4);
+    return static_cast<FaceId>((parts & CellParts::kLower) != 0 ? 2 * vertex + (parts >> 2) : 0);
+  }
+  bool apart() const { return (parts & CellParts::kApart) != 0; }
+};
+
 // The edges that begin on the line: each from its upper end to its neighbours in the grid, and in cells cut in two.
 template <bool kTaps>
 template <typename Add>
 void PatchLines<kTaps>::feed(std::uint16_t line, const Add& add) {
-  std::uint16_t vertex = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
-  if (line != top_) vertex = grids_.sorted(vertex);
-  for (; vertex != 0; vertex = grids_[vertex].next) {
-    const std::uint32_t v = vertex;
-    const GridVertex& at = grids_[v];
-    const std::uint32_t stride = at.stride;
-    const auto edge = [&](std::uint32_t to, FaceId begins, FaceId ends) {
-      if ((begins | ends) != 0) add(at.at, grids_[to].at, begins, ends);
-    };
-    FaceId upper_right = 0;  // of the triangles around the vertex: the one that the edge to the right has above it
-    if (at.first_row == 0) {
-      const std::uint32_t above = v - stride, corner = above - 1;
-      const FaceId before = grids_.upper(corner), left = grids_.lower(corner);
-      upper_right = grids_.lower(above);
-      edge(above, upper_right, before);
-      edge(v - 1, left, grids_.upper(v - 1));
-      if ((grids_[corner].parts & CellParts::kApart) != 0) edge(corner, before, left);
-    } else {
-      edge(v - 1, 0, grids_.upper(v - 1));
+  std::uint16_t first = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
+  if (line != top_) first = grids_.sorted(first);
+  for (std::uint32_t v = first; v != 0; v = grids_[v].next) {
+    const GridVertex* const at = &grids_[v];
+    const std::uint32_t stride = at->stride;
+    const FromVertex from(PackedXY(at->at), line);
+    // The cells around the vertex; beyond the grid's rim they have no parts.
+    const GridCell below_right{v, at->parts}, below_left{v - 1, at[-1].parts};
+    GridCell above_left, above_right;
+    if (at->first_row == 0) {
+      above_right = {v - stride, (at - stride)->parts};
+      above_left = {v - stride - 1, (at - stride)[-1].parts};
     }
-    const FaceId own = grids_.upper(v), below = grids_.lower(v);
-    edge(v + 1, own, upper_right);
-    edge(v + stride, grids_.upper(v - 1), below);
-    if ((at.parts & CellParts::kApart) != 0) edge(v + stride + 1, below, own);
+    const auto edge = [&](const GridVertex* to, FaceId begins, FaceId ends) {
+      const PackedXY bottom(to->at);
+      if (!from.has_ended(bottom) && (begins | ends) != 0) add(from, bottom, begins, ends);
+    };
+    if ((above_left.parts | above_right.parts) != 0) edge(at - stride, above_right.lower(), above_left.upper());
+    if ((above_left.parts | below_left.parts) != 0) edge(at - 1, above_left.lower(), below_left.upper());
+    if (above_left.apart()) edge(at - stride - 1, above_left.upper(), above_left.lower());
+    if ((above_right.parts | below_right.parts) != 0) edge(at + 1, below_right.upper(), above_right.lower());
+    if ((below_left.parts | below_right.parts) != 0) edge(at + stride, below_left.upper(), below_right.lower());
+    if (below_right.apart()) edge(at + stride + 1, below_right.lower(), below_right.upper());
   }
 }
 
@@ -276,7 +288,7 @@ bool PatchLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap
     if (const Status status = plan(line); !status.ok()) return give_up(status);
   }
   grids_.set_background(painter.background());
-  if (!walker_.start_fed(line, [&](const auto& add) { feed(line, add); })) {
+  if (!walker_.start_fed([&](const auto& add) { feed(line, add); })) {
     const std::uint32_t capacity = walker_.edge_capacity();
     return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
   }

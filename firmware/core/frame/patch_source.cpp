@@ -138,7 +138,7 @@ bool PatchSource::strip(const PatchJob& job, Row& above, Row& below) {
 // Which facets the cell has that are seen.
 void PatchSource::note_parts(const PatchJob& job, DicedFacet cell, std::uint64_t bit, Parts& whole) const {
   if (!reaches(job, cell)) return;
-  const auto at = [&](std::uint32_t i) { return p_.vertices[corner(cell, i)].at; };
+  const auto at = [&](std::uint32_t i) { return PackedXY(p_.vertices[corner(cell, i)].at); };
   const std::uint8_t parts = CellParts::of(at(0), at(1), at(2), at(3), job.reader.mirrored(), job.look.two_sided);
   if (parts == CellParts::kQuad) {
     whole.quads |= bit;

@@ -217,14 +217,16 @@ struct Projection {
   ScreenXY place(const ClipPoint& p, Normaliser& normaliser) const { return place(p, Inverse(p.w, normaliser)); }
 
   // Projects a point that rounding may have left a little outside of the planes.
-  ScreenPoint clamped(ClipPoint p) const {
+  ScreenPoint clamped(const ClipPoint& p) const { return (*this)(inside(p) ? p : held(p)); }
+  // The nearest point inside.
+  ClipPoint held(ClipPoint p) const {
     const auto clamp = [](std::int32_t v, std::int32_t low, std::int32_t high) {
       return v < low ? low : v > high ? high : v;
     };
     p.w = clamp(p.w, near_w, far_w);
     p.x = clamp(p.x, -p.w, p.w);
     p.y = clamp(p.y, -p.w, p.w);
-    return (*this)(p);
+    return p;
   }
 
   // The depth of a point w ahead, inside the near plane; what the point's projection has.

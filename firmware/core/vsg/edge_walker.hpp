@@ -79,12 +79,12 @@ class EdgeWalker {
     return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
   }
 
-  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() with the edges that
-  // feed(add) hands to add(top, bottom, begins, ends), the faces to the right and to the left of an edge that runs
-  // down.
+  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() with those that
+  // feed(add) hands to add(FromVertex, bottom, begins, ends), the faces to the right and to the left of an edge that
+  // runs down and has not ended before the line; not both 0.
   void begin();
   template <typename Feed>
-  bool start_fed(std::int32_t line, const Feed& feed);
+  bool start_fed(const Feed& feed);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
   // face that is nearer than every other one wherever both are, or 0 where that takes planes: sink.front_alone(left,
   // right, FaceId) gets it.
@@ -159,17 +159,15 @@ class EdgeWalker {
   std::uint32_t most_ = 0;
 };
 template <typename Feed>
-bool EdgeWalker::start_fed(std::int32_t line, const Feed& feed) {
+bool EdgeWalker::start_fed(const Feed& feed) {
   Started started{walk_.alive_end + 1};
   const ActiveEdge* const last = walk_.now + capacity_;  // for the sentinel
   bool room = true;
-  feed([&](ScreenXY top, ScreenXY bottom, FaceId begins, FaceId ends) {
-    const FromVertex from(PackedXY(top), line);
-    if (from.has_ended(PackedXY(bottom)) || begins == ends) return;
+  feed([&](const FromVertex& from, PackedXY bottom, FaceId begins, FaceId ends) {
     room = room && started.out < last;
     if (!room) return;
     started.out->toggle = cover_of(begins) - cover_of(ends);
-    from.run(*started.out, PackedXY(bottom), ends);
+    from.run(*started.out, bottom, ends);
     started.put_out();
   });
   if (room) end_start(started);

@@ -24,7 +24,7 @@ inline constexpr CurvedPicture kCurves[] = {
     {"dial", &dial::scene, &dial::camera, 0xeb211d94},
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x892d4cd6},
 };
-inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x62afa2a6}};
+inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x47f54dfa}};
 
 // Both hold all of their pictures, and have room in 64 KB one beside the other.
 inline constexpr Budget kCurvesBudget{.facets = 16,
