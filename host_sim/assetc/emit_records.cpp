@@ -48,11 +48,12 @@ std::string slice_of(const std::string& name, bool empty) { return empty ? "{}" 
 
 std::string rgb(Rgb8 c) { return braces(c.r, c.g, c.b); }
 
+std::string position(const Position& p) { return braces(p.x, p.y, p.z); }
+
 void emit_mesh_tables(std::ostringstream& out, const MeshRecord& mesh, const std::string& suffix) {
   const auto normal = [](Normal10 n) { return braces(n.packed); };
   const auto number = [](std::uint16_t n) { return std::to_string(n); };
-  emit_table(out, "spanline::Position", "kPositions" + suffix, mesh.positions,
-             [](const Position& p) { return braces(p.x, p.y, p.z); });
+  emit_table(out, "spanline::Position", "kPositions" + suffix, mesh.positions, position);
   emit_table(out, "spanline::Normal10", "kVertexNormals" + suffix, mesh.vertex_normals, normal);
   emit_table(out, "spanline::Normal10", "kFaceNormals" + suffix, mesh.face_normals, normal);
   emit_table(out, "std::uint16_t", "kCorners" + suffix, mesh.corners, number);
@@ -90,7 +91,8 @@ std::string mesh_record(const MeshRecord& mesh, const std::string& suffix) {
       << slice_of("kGroups" + suffix, mesh.groups.empty()) << ", " << mesh.face_count << ", " << fixed3(mesh.origin)
       << ", " << mesh.unit << ", " << slice_of("kFanStarts" + suffix, mesh.fan_starts.empty()) << ", "
       << slice_of("kFans" + suffix, mesh.fans.empty()) << ", " << slice_of("kCurves" + suffix, mesh.curves.empty())
-      << ", " << slice_of("kParents" + suffix, mesh.parents.empty()) << "}";
+      << ", " << slice_of("kParents" + suffix, mesh.parents.empty()) << ", {" << position(mesh.box.low) << ", "
+      << position(mesh.box.high) << "}}";
   return out.str();
 }
 

@@ -107,6 +107,15 @@ Slice<const T> view_of(const std::vector<T>& items) {
   return {items.data(), static_cast<std::uint32_t>(items.size())};
 }
 
+PositionBox box_around(const std::vector<Position>& positions) {
+  PositionBox box{positions.front(), positions.front()};
+  for (const Position& p : positions) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
 }  // namespace
 
 MeshRecord MeshTables::record() const {
@@ -123,7 +132,8 @@ MeshRecord MeshTables::record() const {
           view_of(fan_starts),
           view_of(fans),
           view_of(curves),
-          view_of(parents)};
+          view_of(parents),
+          box_around(positions)};
 }
 
 MeshTables compile_mesh(const MeshSource& mesh, const std::vector<MaterialSpec>& materials, const MeshFit& fit,

@@ -28,6 +28,31 @@ TEST(Bits, HalvesMakeTheSameHighProduct) {
   }
 }
 
+// Where the core has instructions for them, these are tested.
+TEST(Bits, HalvesAreTakenByThemselves) {
+  std::uint32_t state = 1;
+  const auto next = [&state] { return state = state * 1664525u + 1013904223u; };
+  const auto low = [](std::uint32_t v) { return static_cast<std::int16_t>(v & 0xffffu); };
+  const auto high = [](std::uint32_t v) { return static_cast<std::int16_t>(v >> 16); };
+  for (int i = 0; i < 100000; ++i) {
+    const std::uint32_t a = next() ^ next() >> 16, b = next() ^ next() >> 16, sum = next();
+    EXPECT_EQ(pack_halves(low(a), high(a)), a);
+    EXPECT_EQ(low_half(a), low(a));
+    EXPECT_EQ(high_half(a), high(a));
+    const std::uint32_t difference = subtract_halves(a, b);
+    EXPECT_EQ(low(difference), static_cast<std::int16_t>(low(a) - low(b)));
+    EXPECT_EQ(high(difference), static_cast<std::int16_t>(high(a) - high(b)));
+    const std::int64_t products = std::int64_t{low(a)} * low(b) + std::int64_t{high(a)} * high(b);
+    EXPECT_EQ(add_products(a, b, sum), static_cast<std::uint32_t>(sum + products));
+    if (high(a) != INT16_MIN) {
+      EXPECT_EQ(cross_halves(a, b), std::int64_t{low(a)} * high(b) - std::int64_t{high(a)} * low(b));
+    }
+    const auto x = static_cast<std::int32_t>(a), y = static_cast<std::int32_t>(b);
+    const std::int32_t start = static_cast<std::int32_t>(sum) >> 1;
+    EXPECT_EQ(add_high(x, y, start), start + static_cast<std::int32_t>((std::int64_t{x} * y) >> 32));
+  }
+}
+
 TEST(Bits, ShiftRoundTakesHalvesUpwards) {
   EXPECT_EQ(shift_round(7, 2), 2);
   EXPECT_EQ(shift_round(6, 2), 2);

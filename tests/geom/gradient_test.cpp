@@ -1,4 +1,4 @@
-// Gradients by one reciprocal against exact ones, and rows of matrices by either kind of product.
+// Gradients by one reciprocal against exact ones.
 #include "core/geom/gradient.hpp"
 
 #include <gtest/gtest.h>
@@ -77,35 +77,6 @@ TEST(Gradient, IsRefusedForLargeSteepAndFlatTriangles) {
   ASSERT_TRUE((small_gradient<5, 1 << 24>({{0, 0}, {-4096, 0}, {0, -4096}}, 256, -512, g)));
   EXPECT_EQ(g.right, -32);
   EXPECT_EQ(g.down, 64);
-}
-
-TEST(ClipRow, IsTheMatrixRowByEitherKindOfProduct) {
-  Random random(3);
-  const auto any = [&random](int bits) { return static_cast<std::int32_t>(random.next() >> 32) >> (32 - bits); };
-  int fitting = 0;
-  for (int round = 0; round < oracle::rounds(20000); ++round) {
-    ClipMatrix matrix{};
-    for (int i = 0; i < 3; ++i) {
-      for (std::int32_t& c : matrix.linear[i]) c = any(random.between(1, 31));
-      matrix.offset[i] = any(random.between(1, 32));
-    }
-    if (!matrix.fits()) continue;
-    ++fitting;
-    for (int i = 0; i < 3; ++i) {
-      const LongRow whole(matrix, i);
-      const SplitRow split(matrix, i);
-      for (int p = 0; p < 8; ++p) {
-        const auto end = [&](int value) {
-          return static_cast<std::int16_t>(p < 4 ? value : value < 0 ? -32768 : 32767);
-        };
-        const Position at{end(any(16)), end(any(16)), end(any(16))};
-        const std::int32_t expected = matrix.row(i, at);
-        ASSERT_EQ(whole.at(at), expected);
-        ASSERT_EQ(split.at(at), expected);
-      }
-    }
-  }
-  EXPECT_GT(fitting, oracle::rounds(5000));
 }
 
 }  // namespace

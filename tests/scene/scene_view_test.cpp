@@ -84,6 +84,11 @@ std::vector<BadCase> bad_cases() {
       {"MeshRecord", "vertex_normals", 0, [](Fixture& f) { f.vertex_normals.pop_back(); }},
       {"MeshRecord", "face_normals", 0, [](Fixture& f) { f.face_normals.pop_back(); }},
       {"MeshRecord", "corners", 0, [](Fixture& f) { f.corners[5] = 9; }},
+      {"MeshRecord", "box", 0, [](Fixture& f) { f.mesh.box.low.x = 1; }},
+      {"MeshRecord", "box", 0,
+       [](Fixture& f) {
+         f.positions[4].z = 7, f.mesh.box = {{0, 0, 0}, {0, 0, 6}};
+       }},
       {"MeshRecord", "unit", 0, [](Fixture& f) { f.mesh.unit = 0; }},
       {"MeshRecord", "unit", 0, [](Fixture& f) { f.mesh.unit = -1; }},
       {"MeshRecord", "origin", 0, [big](Fixture& f) { f.mesh.origin[1] = big; }},

@@ -5,9 +5,7 @@ namespace spanline {
 ClipMatrix InstancePoints::enter() {
   const MeshRecord& mesh = cursor_.mesh();
   const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);
-  x_ = ClipRow(matrix, 0);
-  y_ = ClipRow(matrix, 1);
-  w_ = ClipRow(matrix, 2);
+  to_clip_ = ClipRows(matrix);
   positions_ = mesh.positions.data();
   faces_ = mesh.face_count;
   vertices_ = mesh.positions.size();
@@ -19,7 +17,7 @@ bool InstancePoints::enter(const InstanceCursor& at, DepthRows& rows, bool& sure
   const ClipMatrix matrix = enter();
   if (matrix.mirrored || !matrix.fits()) return false;
   rows.hold(matrix);
-  surely = projection_.holds(matrix);
+  surely = projection_.well_inside(mesh().box, to_clip_);
   return true;
 }
 

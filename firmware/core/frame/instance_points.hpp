@@ -37,16 +37,13 @@ class InstancePoints {
   std::uint32_t first_face() const { return cursor_.first_face(); }
   std::uint32_t first_vertex() const { return cursor_.first_vertex(); }
 
-  // By its number in the mesh: whether a vertex lies outside the view; where it lies on the screen.
-  bool outside(std::uint32_t vertex) const { return !projection_.inside(clip(vertex)); }
+  // By its number in the mesh: whether a vertex is not well inside the view; where it lies on the screen.
+  bool outside(std::uint32_t vertex) const { return !projection_.well_inside(clip(vertex)); }
   ScreenXY operator[](std::uint32_t vertex) { return projection_.place(clip(vertex), normaliser_); }
 
  private:
   ClipMatrix enter();
-  ClipPoint clip(std::uint32_t vertex) const {
-    const Position& p = positions_[vertex];
-    return {x_.at(p), y_.at(p), w_.at(p)};
-  }
+  ClipPoint clip(std::uint32_t vertex) const { return to_clip_(positions_[vertex]); }
 
   InstanceCursor cursor_;
   const CameraRecord* camera_ = nullptr;
@@ -54,7 +51,7 @@ class InstancePoints {
   Normaliser normaliser_;
   const Position* positions_ = nullptr;
   std::uint32_t faces_ = 0, vertices_ = 0;
-  ClipRow x_, y_, w_;
+  ClipRows to_clip_;
 };
 
 }  // namespace spanline

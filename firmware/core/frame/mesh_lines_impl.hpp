@@ -272,14 +272,17 @@ bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
   if (matrix.mirrored || !matrix.fits()) return false;
   rows_.hold(matrix);
   const Projection projection(camera_, screen_);
-  const ClipRow x(matrix, 0), y(matrix, 1), w(matrix, 2);
-  const bool surely = projection.holds(matrix);
+  const ClipRows to_clip(matrix);
+  const auto& positions = at.mesh().positions;
+  constexpr std::uint32_t kFew = 8;  // that are looked at sooner than the box
+  if ((positions.size() <= kFew || !projection.well_inside(at.mesh().box, to_clip)) &&
+      !projection.well_inside(positions, to_clip)) {
+    return false;
+  }
   Normaliser normaliser;
   ScreenXY* point = &points_[at.first_vertex()];
-  for (const Position& position : at.mesh().positions) {
-    const ClipPoint clip{x.at(position), y.at(position), w.at(position)};
-    if (!surely && !projection.inside(clip)) return false;
-    *++point = projection.place(clip, normaliser);
+  for (const ClipRows rows = to_clip; const Position& position : positions) {
+    *++point = projection.place(rows(position), normaliser);
   }
   walker_.vertices(at.first_vertex()).forget(at.mesh().positions.size());
   return true;
@@ -294,7 +297,7 @@ void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
   const std::uint16_t* corner = at.mesh().corners.data();
   for (const std::uint16_t* const end = corner + 3u * at.mesh().face_count; corner != end; corner += 3) {
     const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
-    if (!is_front(points[a], points[b], points[c])) {
+    if (doubled_area_near(PackedXY(points[a]), PackedXY(points[b]), PackedXY(points[c])) >= 0) {
       faces.hide();
       continue;
     }

@@ -25,6 +25,52 @@ constexpr std::int32_t mul_high_by_halves(std::int32_t a, std::int32_t b) {
   return a_high * b_high + (middle >> 16) + ((b_cross + (middle & 0xffff)) >> 16);
 }
 
+// Whether the core takes two products of 16 bits at once (Armv7E-M: M4, M7).
+#if defined(__ARM_FEATURE_SIMD32)
+inline constexpr bool kDualMultiply = true;
+#else
+inline constexpr bool kDualMultiply = false;
+#endif
+
+// Two numbers of 16 bits in a word.
+constexpr std::uint32_t pack_halves(std::int32_t low, std::int32_t high) {
+  return (static_cast<std::uint32_t>(low) & 0xffffu) | static_cast<std::uint32_t>(high) << 16;
+}
+constexpr std::int32_t low_half(std::uint32_t pair) { return static_cast<std::int16_t>(pair); }
+constexpr std::int32_t high_half(std::uint32_t pair) { return static_cast<std::int32_t>(pair) >> 16; }
+
+// Differences of the halves, each modulo 2^16.
+constexpr std::uint32_t subtract_halves(std::uint32_t a, std::uint32_t b) {
+#if defined(__ARM_FEATURE_SIMD32)
+  if (!std::is_constant_evaluated()) {
+    return static_cast<std::uint32_t>(__builtin_arm_ssub16(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
+  }
+#endif
+  return ((a - b) & 0xffffu) | ((a & 0xffff0000u) - (b & 0xffff0000u));
+}
+
+// The determinant of two pairs: a's lower half times b's higher one less the other way round. Below 2^31 where each
+// half is not -2^15.
+constexpr std::int32_t cross_halves(std::uint32_t a, std::uint32_t b) {
+#if defined(__ARM_FEATURE_SIMD32)
+  if (!std::is_constant_evaluated()) {
+    return __builtin_arm_smusdx(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
+  }
+#endif
+  return low_half(a) * high_half(b) - high_half(a) * low_half(b);
+}
+
+// sum + the products of the lower and of the higher halves, modulo 2^32.
+inline std::uint32_t add_products(std::uint32_t a, std::uint32_t b, std::uint32_t sum) {
+#if defined(__ARM_FEATURE_SIMD32)
+  const auto word = [](std::uint32_t v) { return static_cast<std::int32_t>(v); };
+  return static_cast<std::uint32_t>(__builtin_arm_smlad(word(a), word(b), word(sum)));
+#else
+  return sum + static_cast<std::uint32_t>(low_half(a) * low_half(b)) +
+         static_cast<std::uint32_t>(high_half(a) * high_half(b));
+#endif
+}
+
 // High 32 bits of a 64-bit product, cut off (towards minus infinity when signed).
 constexpr std::int32_t mul_high(std::int32_t a, std::int32_t b) {
   if constexpr (kLongMultiply) {
@@ -32,6 +78,17 @@ constexpr std::int32_t mul_high(std::int32_t a, std::int32_t b) {
   } else {
     return mul_high_by_halves(a, b);
   }
+}
+
+// sum + mul_high(a, b).
+inline std::int32_t add_high(std::int32_t a, std::int32_t b, std::int32_t sum) {
+#if defined(__ARM_FEATURE_SIMD32)
+  std::int32_t out;
+  asm("smmla %0, %1, %2, %3" : "=r"(out) : "r"(a), "r"(b), "r"(sum));
+  return out;
+#else
+  return sum + mul_high(a, b);
+#endif
 }
 
 // value / 2^shift to the nearest, halves upwards.

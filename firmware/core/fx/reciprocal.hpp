@@ -37,6 +37,7 @@ class Normaliser {
  public:
   int up(std::uint32_t w) {
     if constexpr (kCountsZeros) {
+      if (w == 0) __builtin_unreachable();
       return std::countl_zero(w) - 1;
     } else {
       if (w >> (30 - up_) != 1) up_ = std::countl_zero(w) - 1;

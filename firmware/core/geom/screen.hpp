@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/base/pixel_format.hpp"
+#include "core/fx/bits.hpp"
 
 namespace spanline {
 
@@ -58,6 +59,12 @@ constexpr std::int32_t doubled_area(PackedXY a, PackedXY b, PackedXY c) {
 }
 constexpr std::int32_t doubled_area(ScreenXY a, ScreenXY b, ScreenXY c) {
   return doubled_area(PackedXY(a), PackedXY(b), PackedXY(c));
+}
+
+// The same of points that differ by less than 2^15 units each way.
+constexpr std::int32_t doubled_area_near(PackedXY a, PackedXY b, PackedXY c) {
+  if constexpr (!kDualMultiply) return doubled_area(a, b, c);
+  return cross_halves(subtract_halves(b.word, a.word), subtract_halves(c.word, a.word));
 }
 
 // Whether a triangle runs counter-clockwise to the eye.

@@ -21,6 +21,20 @@ struct Position {
   std::int16_t x, y, z;
 };
 
+// Axis-parallel, both ends within; all there is unless told otherwise.
+struct PositionBox {
+  Position low{INT16_MIN, INT16_MIN, INT16_MIN}, high{INT16_MAX, INT16_MAX, INT16_MAX};
+
+  constexpr bool holds_all() const { return holds(PositionBox{}.low) && holds(PositionBox{}.high); }
+  constexpr bool holds(const Position& p) const {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+  }
+  // One of eight.
+  constexpr Position corner(unsigned i) const {
+    return {(i & 1) == 0 ? low.x : high.x, (i & 2) == 0 ? low.y : high.y, (i & 4) == 0 ? low.z : high.z};
+  }
+};
+
 // A unit normal, 10 bits a component, each Q1.9 in -511 … 511, packed x | y << 10 | z << 20.
 struct Normal10 {
   std::uint32_t packed;
@@ -160,6 +174,7 @@ struct MeshRecord {
   Slice<const FanEdge> fans = {};
   Slice<const CurveRecord> curves = {};
   Slice<const std::uint16_t> parents = {};  // of the surface detail
+  PositionBox box = {};                     // around the positions, the smaller the better
 
   bool of_patches() const { return !groups.empty() && groups[0].contour_count == FaceGroup::kPatches; }
 };

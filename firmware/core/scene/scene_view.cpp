@@ -183,6 +183,9 @@ Status check_mesh(const SceneRecord& scene, std::uint32_t index) {
   for (const std::uint16_t corner : mesh.corners) {
     if (corner >= mesh.positions.size()) return bad("MeshRecord", "corners", index, corner, mesh.positions.size());
   }
+  for (std::uint32_t v = 0; v < mesh.positions.size() && !mesh.box.holds_all(); ++v) {
+    if (!mesh.box.holds(mesh.positions[v])) return bad("MeshRecord", "box", index, v);
+  }
   if (mesh.unit <= 0) return bad("MeshRecord", "unit", index);
   for (const Fx16 c : mesh.origin) {
     if (!within_world(c)) return bad("MeshRecord", "origin", index);
