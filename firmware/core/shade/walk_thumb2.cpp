@@ -102,6 +102,9 @@ asm(R"(
     .macro grid_state
     .endm
 
+    .macro grid_tail unknown
+    .endm
+
     .macro grid_background
     ldrh r4, [r12]
     .endm
