@@ -63,13 +63,18 @@ struct Projection {
     return code;
   }
 
+  // Whether outcode() is 0, without saying which plane it is.
+  bool inside(const ClipPoint& p) const {
+    const auto range = static_cast<std::uint32_t>(far_w - near_w);
+    if (static_cast<std::uint32_t>(p.w) - static_cast<std::uint32_t>(near_w) > range) return false;
+    return between_sides(p, static_cast<std::uint32_t>(p.w));
+  }
   // Whether outcode() is 0 and there is a little space to the guard band's sides: points on the screen of which this is
   // true differ by less than 2^15 units of 28.4 each way.
   bool well_inside(const ClipPoint& p) const {
     const std::int32_t nearest = near_w > kWellAhead ? near_w : kWellAhead;
     if (p.w < nearest || p.w > far_w) return false;
-    const std::uint32_t side = static_cast<std::uint32_t>(p.w - (p.w >> 8));
-    return static_cast<std::uint32_t>(p.x) + side <= 2 * side && static_cast<std::uint32_t>(p.y) + side <= 2 * side;
+    return between_sides(p, static_cast<std::uint32_t>(p.w - (p.w >> 8)));
   }
   // What is true of all corners of a box is so of what lies between them, as far as it matters: rounding takes less
   // than 4 units, of at least kWellAhead >> 8.
@@ -112,6 +117,9 @@ struct Projection {
   }
 
  private:
+  static bool between_sides(const ClipPoint& p, std::uint32_t side) {
+    return static_cast<std::uint32_t>(p.x) + side <= 2 * side && static_cast<std::uint32_t>(p.y) + side <= 2 * side;
+  }
   struct Inverse {  // 1 / w = of * 2^up / 2^61
     Inverse(std::int32_t w, Normaliser& normaliser)
         : up(normaliser.up(static_cast<std::uint32_t>(w))),
