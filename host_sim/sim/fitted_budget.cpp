@@ -66,13 +66,16 @@ Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last
 
 namespace {
 
+constexpr std::uint32_t kPadding = 16;  // between pools, at most
+
 constexpr FrameOptions kOfMeshes{.statistics = true, .walker = Walker::edges};
+constexpr FrameOptions kOfBands{.statistics = true, .walker = Walker::edges, .bands = true};
 constexpr FrameOptions kOfPatches{.statistics = true, .patches = true, .walker = Walker::edges};
 
 // What the frame needs; nothing where it is not for the edge walker.
 template <FrameOptions kOptions>
 std::optional<Statistics> needs_of_frame(const SceneView& view, const CameraRecord& camera, const Screen& screen) {
-  HostMemory memory(screen, screen.height, {});
+  HostMemory memory(screen, screen.height, {.band_vertices = kOptions.bands ? BandVertices::kMost : std::uint16_t{0}});
   Frame<kOptions> frame(memory.storage());
   if (frame.prepare(view, camera, {0, screen.height}).empty()) return std::nullopt;
   std::vector<std::uint32_t> line(frame.line_bytes() / sizeof(std::uint32_t) + 1);
@@ -137,8 +140,62 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   return budget;
 }
 
+namespace {
+
+// What MeshPools and SmoothPools take of it, with their sinks.
+std::size_t whole_bytes(const Budget& b) {
+  const std::size_t vertex = sizeof(ScreenXY) + sizeof(std::uint16_t) + (b.gouraud ? sizeof(Brightness) : 0);
+  const std::size_t face = b.gouraud ? sizeof(std::uint8_t) : sizeof(std::uint16_t);
+  const std::size_t smooth = b.gouraud ? (b.looks + 1u) * sizeof(FaceLook) + (b.tables + 1u) * sizeof(ColorTable) : 0;
+  return (b.vertices + 1u) * vertex + (b.facets + 1u) * face + (b.height + 1u) * sizeof(std::uint16_t) +
+         2 * (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * sizeof(CachedPlane) + smooth + kPadding;
+}
+
+// What BandPools and SmoothPools take of it whatever its band_vertices and looks are.
+std::size_t band_bytes(const Budget& b) {
+  const std::size_t smooth = b.gouraud ? (b.tables + 1u) * sizeof(ColorTable) : 0;
+  return (BitPool::words_for(b.facets) + 1u) * sizeof(std::uint32_t) + (b.vertices + 1u) + (b.band_lines + 1u) +
+         (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * sizeof(CachedPlane) + smooth + kPadding;
+}
+
+}  // namespace
+
+std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, std::int64_t last, const Budget& fitted,
+                                    std::uint32_t bytes) {
+  if (whole_bytes(fitted) <= bytes) return fitted;
+  Budget budget = fitted;
+  budget.edges = 0;
+  for (std::int64_t number = first; number <= last; ++number) {
+    scene.show(number);
+    const SceneRecord record = scene.record();
+    const auto needed = needs_of_frame<kOfBands>(validated(record, scene.description().place), scene.camera(),
+                                                 {fitted.width, fitted.height});
+    if (!needed) return std::nullopt;
+    raise(budget.edges, needed->max_edges);
+  }
+  budget.planes = std::min<std::uint16_t>(fitted.planes, 7);
+  budget.band_lines = std::min<std::uint16_t>(fitted.height, 64);
+  const std::size_t look = fitted.gouraud ? sizeof(FaceLook) : sizeof(FaceColor);
+  const std::size_t taken = band_bytes(budget) + sizeof(BandVertex);
+  constexpr std::uint32_t kFewestVertices = 4;
+  if (taken + kFewestVertices * sizeof(BandVertex) + look > bytes) return std::nullopt;
+  const std::size_t left = bytes - taken;
+  // A look is made anew more often than a vertex, and takes longer.
+  const std::size_t most_looks = left * (fitted.gouraud ? 7 : 4) / 8 / look;
+  const std::size_t looks = std::bit_floor(std::clamp<std::size_t>(most_looks, 1, fitted.gouraud ? 128 : 256));
+  budget.looks = static_cast<std::uint16_t>(looks - 1);
+  budget.band_vertices = static_cast<std::uint16_t>(
+      std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost));
+  const std::size_t rest = left - looks * look - budget.band_vertices * sizeof(BandVertex);
+  const std::size_t planes = std::bit_floor(budget.planes + 1 + rest / sizeof(CachedPlane)) - 1;
+  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>(planes, fitted.planes));
+  return budget;
+}
+
 std::string emit_budget(const Budget& budget, const std::string& name, const std::string& frames) {
-  std::string text = "// Fitted to " + frames + ": one band, every vertex projected once.\n#pragma once\n\n";
+  std::string text = "// Fitted to " + frames + ": ";
+  text += budget.band_vertices == 0 ? "one band, every vertex projected once." : "in bands, for want of memory.";
+  text += "\n#pragma once\n\n";
   text += "#include \"core/frame/budget.hpp\"\n\nnamespace " + name + " {\n\n";
   text += "inline constexpr spanline::Budget kBudget{\n";
   const auto field = [&](const char* key, std::uint16_t value) {
@@ -146,6 +203,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
   };
   field("width", budget.width);
   field("height", budget.height);
+  if (budget.band_vertices != 0) field("band_lines", budget.band_lines);
   field("facets", budget.facets);
   field("vertices", budget.vertices);
   const auto gouraud = [&] { text += std::string("    .gouraud = ") + (budget.gouraud ? "true" : "false"); };
@@ -154,6 +212,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("patch_grid", budget.patch_grid);
     gouraud();
     text += ",\n    .walker = spanline::Walker::edges,\n";
+    if (budget.band_vertices != 0) field("band_vertices", budget.band_vertices);
     field("looks", budget.looks);
     field("tables", budget.tables);
     text += "    .planes = " + std::to_string(budget.planes);

@@ -48,7 +48,8 @@ PoolSizes pools_of(const Budget& budget) {
           .gouraud = budget.gouraud,
           .looks = budget.looks != 0 ? budget.looks : default_looks,
           .tables = budget.tables,
-          .planes = budget.planes};
+          .planes = budget.planes,
+          .band_vertices = budget.band_vertices};
 }
 
 template <typename T>
@@ -86,6 +87,11 @@ void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& s
 }
 
 void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
+  if (sizes.band_vertices != 0) {
+    storage_.bands = {take<std::uint32_t>(static_cast<std::uint16_t>(BitPool::words_for(sizes.facets))),
+                      take<std::uint8_t>(sizes.vertices), take<BandVertex>(sizes.band_vertices),
+                      take<std::uint8_t>(lines), take<FaceColor>(sizes.gouraud ? kNoBlocks : sizes.looks)};
+  }
   EdgeStorage& walker = storage_.mesh.walker;
   walker.points = take<ScreenXY>(sizes.vertices);
   walker.links = take<std::uint16_t>(sizes.vertices);

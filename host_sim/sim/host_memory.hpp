@@ -19,6 +19,7 @@ struct PoolSizes {
   std::uint16_t active = 0;           // as Budget has it
   bool gouraud = true;                // likewise
   std::uint16_t looks = 1023, tables = 15, planes = 255;
+  std::uint16_t band_vertices = 0;
   Walker walker = Walker::both;  // whose pools there are
   // What there is no room for has no pools at all, not even a sink, and must not be drawn.
   bool exact = false;

@@ -1,19 +1,20 @@
 # The verb `bench` of ./dev, which reads this file.
 
 bench_usage() {
-  echo "usage: ./dev bench [--pages | --scene F.json [--cpu m0plus|m3|m4] [--shading flat|gouraud]]" >&2
+  echo "usage: ./dev bench [--pages | --scene F.json [--cpu m0plus|m3|m4] [--shading flat|gouraud] [--memory BYTES]]" >&2
   exit 2
 }
 
 bench() {
   pages=
   [ "${1:-}" != --pages ] || { pages=yes; shift; }
-  scene= cpus="m0plus m3 m4" shadings="flat gouraud"
+  scene= memory= cpus="m0plus m3 m4" shadings="flat gouraud"
   while [ $# -ge 2 ]; do
     case "$1" in
       --scene) scene=$2 ;;
       --cpu) cpus=$2 ;;
       --shading) shadings=$2 ;;
+      --memory) memory=$2 ;;
       *) break ;;
     esac
     shift 2
@@ -31,7 +32,7 @@ bench() {
   say "building the counting tool"
   build host spanline spanline-frames
   say "frames, counted"
-  [ -n "$scene" ] && set -- "$scene" || set -- assets/scenes/S1.json assets/scenes/S3.json assets/scenes/S4.json
+  [ -n "$scene" ] && set -- "$scene${memory:+@$memory}" || set -- assets/scenes/S1.json assets/scenes/S3.json assets/scenes/S4.json
   sh tests/bench/frames.sh . build/bench build/host/spanline-frames "$cpus" "$shadings" "$@"
   echo "$(pwd)/build/bench/frames.json"
   [ -z "$scene" ] || return 0

@@ -3,7 +3,7 @@
 # them, prints the table and writes WORK/frames.json.
 # usage: frames.sh SOURCE WORK FRAMES "CPU…" "SHADING…" SCENE…
 # FRAMES: the tool spanline-frames; CPU: m0plus, m3, m4; SHADING: flat, gouraud; SCENE: a file, or FILE:LINES, whose patches are
-# drawn as points in bands of so many lines
+# drawn as points in bands of so many lines, or FILE@BYTES, which is drawn in so much memory
 set -eu
 [ $# -ge 6 ] || { echo "usage: frames.sh SOURCE WORK FRAMES \"CPU…\" \"SHADING…\" SCENE…" >&2; exit 2; }
 . "$1/tests/bench/images.sh"
@@ -15,12 +15,16 @@ shift 5
 names=
 for scene in "$@"; do
   for shading in $shadings; do
-    file=${scene%:*}
+    file=${scene%@*}
+    bytes=${scene#"$file"}
+    bytes=${bytes#@}
+    file=${file%:*}
     lines=${scene#"$file"}
+    lines=${lines%@*}
     lines=${lines#:}
     name=$(basename "$file")
-    name=${name%.*}${lines:+-points}-$shading
-    "$tool" prepare "$file" --shading "$shading" ${lines:+--point-lines "$lines"} --out "$work/frames/$name"
+    name=${name%.*}${lines:+-points}${bytes:+-in-$bytes}-$shading
+    "$tool" prepare "$file" --shading "$shading" ${lines:+--point-lines "$lines"} ${bytes:+--memory "$bytes"} --out "$work/frames/$name"
     names="$names $name"
   done
 done

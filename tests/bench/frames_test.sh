@@ -10,6 +10,7 @@ sh "$here/frames.sh" "$1" "$2" "$3" "m0plus m3 m4" "flat gouraud" "$scenes/S1.js
 mv "$2/frames.json" "$2/meshes.json"
 "$3" pieces "$2" m4 m0plus
 sh "$here/kept.sh" "$1" "$2" "$4"
+sh "$here/half.sh" "$1" "$2" "$3" "$2/meshes.json"
 # Patches as points.
 sh "$here/frames.sh" "$1" "$2" "$3" "m0plus m3 m4" gouraud "$scenes/S3-patches.json:40"
 

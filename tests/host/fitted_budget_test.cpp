@@ -80,6 +80,23 @@ TEST(FittedBudget, KnowsWhatTheEdgeWalkerDraws) {
   EXPECT_FALSE(fitted_edge_budget(gears, 0, 0));  // faces of many corners
 }
 
+TEST(FittedBudget, ShrinksToBandsWhereMemoryIsShort) {
+  CompiledScene scene = teapot();
+  const std::optional<Budget> fitted = fitted_edge_budget(scene, 0, 0);
+  ASSERT_TRUE(fitted);
+  const std::optional<Budget> same = shrunk_budget(scene, 0, 0, *fitted, 20000);
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->band_vertices, 0);
+  const std::optional<Budget> half = shrunk_budget(scene, 0, 0, *fitted, 4000);
+  ASSERT_TRUE(half);
+  EXPECT_GT(half->band_vertices, 20);
+  EXPECT_LE(half->band_vertices, BandVertices::kMost);
+  EXPECT_EQ(half->looks & (half->looks + 1), 0);
+  const std::string text = emit_budget(*half, "lamp", "frame 0 of lamp");
+  EXPECT_NE(text.find(".band_vertices = "), std::string::npos);
+  EXPECT_FALSE(shrunk_budget(scene, 0, 0, *fitted, 1000));
+}
+
 TEST(FittedBudget, IsWrittenAsAHeader) {
   const Budget budget{.width = 64, .height = 48, .facets = 7, .gouraud = false};
   const std::string text = emit_budget(budget, "lamp", "frame 0 of lamp");

@@ -27,8 +27,8 @@ find $folders -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name 
     knows["shade"] = "base fx scene geom vsg curve area"
     knows["frame"] = "base fx scene geom vsg curve area shade"
     # Standard headers of a freestanding C++20 implementation that need neither heap nor exceptions. <array> and <utility>
-    # are header-only in every library and become freestanding with C++26 and C++23.
-    count = split("array bit climits compare concepts cstddef cstdint limits type_traits utility version", names, " ")
+    # are header-only in every library and become freestanding with C++26 and C++23; <new> is for what is made in its place.
+    count = split("array bit climits compare concepts cstddef cstdint limits new type_traits utility version", names, " ")
     for (i = 1; i <= count; i++) freestanding[names[i]] = 1
   }
   function complain(reason) { printf "%s:%d: %s\n", file, line, reason; bad = 1 }

@@ -206,7 +206,7 @@ void BandLines<kTaps, kPaint>::plan(std::uint16_t top) {
 template <bool kTaps, Paint kPaint>
 bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
   if (!crowded_ && vertices_.is_empty(line)) return true;
-  return walker_.start_fed([&](const auto& add) {
+  return walker_.start_fed<true>([&](const auto& add) {
     if (!crowded_) {
       while (!vertices_.is_empty(line)) {
         const BandVertex& next = vertices_.pop(line);
@@ -357,7 +357,12 @@ template <bool kTaps, Paint kPaint>
 bool BandLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
   if (line == end_) plan(line);
-  if (!start_edges(line)) return give_up(false);
+  if (!kTaps && walker_.none_alive() && !crowded_ && vertices_.is_empty(line)) {
+    painter.fill(0, screen_.width, painter.background());
+    ++line_;
+    return true;
+  }
+  if (!start_edges(line) || !walker_.make_way()) return give_up(false);
   begin_line(line, painter.background());
   const bool whole = walker_.walk(line, Sink{*this, painter, tap, line}, Planes{*this},
                                   [this](ActiveEdge& edge, std::int32_t below) { return run_again(edge, below); });

@@ -212,8 +212,7 @@ template <Budget kBudget>
 class BandPools {
  public:
   void add_to(FrameStorage& storage) {
-    storage.mesh.walker.edges[0] = edges_[0].ref();
-    storage.mesh.walker.edges[1] = edges_[1].ref();
+    storage.mesh.walker.edges[0] = edges_.ref();
     storage.mesh.walker.planes = planes_.ref();
     storage.bands = {drawn_.ref(), keys_.ref(), vertices_.ref(), buckets_.ref(), colors_.ref()};
   }
@@ -223,7 +222,7 @@ class BandPools {
   Pool<std::uint8_t, kBudget.vertices> keys_;
   Pool<BandVertex, kBudget.band_vertices> vertices_;
   Pool<std::uint8_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets_;
-  Pool<ActiveEdge, kBudget.edges> edges_[2];
+  Pool<ActiveEdge, kBudget.edges> edges_;
   Pool<CachedPlane, kBudget.planes> planes_;
   Pool<FaceColor, kBudget.gouraud ? 0 : kBudget.looks> colors_;
 };

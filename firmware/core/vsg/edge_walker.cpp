@@ -46,6 +46,57 @@ void EdgeWalker::end_start(const Started& started) {
   started.first[-1].x = started.out->x = ActiveEdge::kNever;
 }
 
+// Moves the line's edges, those alive and those that begin, up to `end`.
+void EdgeWalker::move_edges(ActiveEdge* to, ActiveEdge* end) {
+  const std::ptrdiff_t by = to - walk_.now;
+  if (by < 0) {
+    for (ActiveEdge* edge = walk_.now; edge != end; ++edge) edge[by] = *edge;
+  } else {
+    for (ActiveEdge* edge = end; edge != walk_.now;) {
+      --edge;
+      edge[by] = *edge;
+    }
+  }
+  walk_.now = to;
+  walk_.alive_end += by;
+}
+
+// Fewer of those alive lie in one column where has_long_column() says no.
+static constexpr std::ptrdiff_t kColumnStep = 4, kShortColumn = 3 * kColumnStep;
+
+bool EdgeWalker::has_long_column() const {
+  for (const ActiveEdge* edge = walk_.now; walk_.alive_end - edge > 2 * kColumnStep; edge += kColumnStep) {
+    if (edge->column() == edge[2 * kColumnStep].column()) return true;
+  }
+  return false;
+}
+
+// When the walk has taken i edges of those alive and j of those that begin it has put out i + j at most. So with as
+// many places before those alive as begin, and some more, that many of those that it took last are still there: those
+// of the column that it has come to, which gather_overlap() looks at again, and one more. At column 0 these are all so
+// far.
+bool EdgeWalker::make_way() {
+  const auto left_of_screen = [](const ActiveEdge* edge) {
+    const ActiveEdge* const first = edge;
+    while (edge->column() <= 0) ++edge;
+    return edge - first;
+  };
+  ActiveEdge* end = walk_.alive_end + 1;
+  while (end->x != ActiveEdge::kNever) ++end;
+  const std::ptrdiff_t alive = walk_.alive_end - walk_.now, begun = end - walk_.alive_end - 1;
+  const std::ptrdiff_t at_zero = left_of_screen(walk_.now) + left_of_screen(walk_.alive_end + 1);
+  std::ptrdiff_t gap = begun + kShortColumn;
+  if (at_zero > gap) gap = at_zero;
+  if (has_long_column()) [[unlikely]]
+    gap = alive + begun;
+  const auto needed = static_cast<std::uint32_t>(gap + (end - walk_.now));
+  if (needed > most_) most_ = needed;
+  if (needed > capacity_) return false;
+  if (walk_.now - pool_ < gap) move_edges(pool_ + capacity_ - (end - walk_.now), end + 1);
+  walk_.begin = walk_.now - gap;
+  return true;
+}
+
 // Edges that lie in one column, up to where the walk has come.
 struct EdgeWalker::Column {
   const ActiveEdge *first, *end;  // of those alive

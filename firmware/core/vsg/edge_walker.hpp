@@ -18,7 +18,7 @@ struct EdgeStorage {
   PoolRef<std::uint16_t> links;    // likewise
   PoolRef<std::uint16_t> buckets;  // a line each
   PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's: one at least,
-                                   // kMostEdges are used
+                                   // kMostEdges are used. In place: all in one, and no pool for the next line
   PoolRef<CachedPlane> planes;     // any number
 };
 
@@ -39,10 +39,11 @@ class EdgeWalker {
   EdgeWalker(const EdgeStorage& storage, const Screen& screen)
       : buckets_(storage.buckets, storage.links, storage.points),
         points_(storage.points),
+        pool_(&storage.edges[0][0]),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
         planes_(storage.planes),
         screen_(screen) {
-    walk_.now = &storage.edges[0][0];
+    walk_.now = pool_;
     walk_.begin = &storage.edges[1][0];
     walk_.side = LineWalk::side_of(screen.width);
   }
@@ -59,7 +60,8 @@ class EdgeWalker {
   VertexBuckets::Mesh vertices(std::uint32_t first) { return {buckets_, first}; }
 
   // Whether nothing of `line` is covered.
-  bool is_blank(std::int32_t line) const { return walk_.alive_end == walk_.now && is_quiet(line); }
+  bool is_blank(std::int32_t line) const { return none_alive() && is_quiet(line); }
+  bool none_alive() const { return walk_.alive_end == walk_.now; }
   // Whether no edge begins on `line`, which needs no start_edges() then.
   bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
   // Starts the edges that begin on `line`; to be called for every line from top on that is
@@ -83,13 +85,16 @@ class EdgeWalker {
   // feed(add) hands to add(FromVertex, bottom, begins, ends), the faces to the right and to the left of an edge that
   // runs down and has not ended before the line; not both 0.
   void begin();
-  template <typename Feed>
+  template <bool kInPlace = false, typename Feed>
   bool start_fed(const Feed& feed);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
   // face that is nearer than every other one wherever both are, or 0 where that takes planes: sink.front_alone(left,
   // right, FaceId) gets it.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  // In place the next line's edges overwrite those that the walk has passed. Leaves room before those, so that none is
+  // overwritten too soon; to be said between start_fed() and walk(). False where there is too little.
+  bool make_way();
   // Begins a tall edge again on `line`, by the corners of face_of_tall(edge) in the mesh's order; false where it has
   // ended.
   static bool run_tall_again(ActiveEdge& edge, std::int32_t line, const ScreenXY (&corner)[3]);
@@ -108,7 +113,7 @@ class EdgeWalker {
 
   // The edges that begin on a line, up to `out`.
   struct Started {
-    ActiveEdge* const first;
+    ActiveEdge* first;
     ActiveEdge* out = first;
     std::int32_t furthest = INT32_MIN;  // x of the last edge put out
 
@@ -123,6 +128,8 @@ class EdgeWalker {
     }
   };
   void end_start(const Started& started);
+  [[gnu::noinline]] void move_edges(ActiveEdge* to, ActiveEdge* end);
+  bool has_long_column() const;
 
   template <typename Word>
   struct Fans;
@@ -151,6 +158,7 @@ class EdgeWalker {
   InstanceCursor cursor_;
   VertexBuckets buckets_;
   PoolRef<ScreenXY> points_;
+  ActiveEdge* pool_ = nullptr;
   std::uint32_t capacity_ = 0;  // of the line's edges and the next one's, and one more for the sentinel
   PlaneCache planes_;
   Screen screen_;
@@ -158,12 +166,20 @@ class EdgeWalker {
   OverlapSet overlap_;
   std::uint32_t most_ = 0;
 };
-template <typename Feed>
+template <bool kInPlace, typename Feed>
 bool EdgeWalker::start_fed(const Feed& feed) {
   Started started{walk_.alive_end + 1};
-  const ActiveEdge* const last = walk_.now + capacity_;  // for the sentinel
+  const ActiveEdge* const last = (kInPlace ? pool_ : walk_.now) + capacity_;  // for the sentinel
   bool room = true;
   feed([&](const FromVertex& from, PackedXY bottom, FaceId begins, FaceId ends) {
+    if constexpr (kInPlace) {
+      if (started.out == last && walk_.now != pool_) {
+        const std::ptrdiff_t down = walk_.now - pool_;
+        move_edges(pool_, started.out);
+        started.first -= down;
+        started.out -= down;
+      }
+    }
     room = room && started.out < last;
     if (!room) return;
     started.out->toggle = cover_of(begins) - cover_of(ends);

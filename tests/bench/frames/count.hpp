@@ -14,7 +14,7 @@ struct FrameCount {
   std::string cpu;  // "m0plus"
   Expected frame;
   host::Count count;
-  std::uint32_t memory_bytes, line_bytes, stack_bytes;  // pools; two lines; deepest use, the Frame on it
+  std::uint32_t memory_bytes, line_bytes, stack_bytes;  // pools and Frame; lines; deepest use
   std::uint32_t text_bytes;                             // of the engine
 
   std::uint32_t ram_bytes() const { return memory_bytes + line_bytes + stack_bytes; }

@@ -31,9 +31,11 @@ Units units_from(const nlohmann::json& json) {
 }
 
 // The picture of the very records that the image draws.
-Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
-  const std::string stem = std::filesystem::path(scene.description().place).stem().string();
-  Expected seen{point_lines == 0 ? stem : stem + "-points", "as written", 2166136261u, 0, 0, 0, {}};
+Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32_t memory) {
+  std::string name = std::filesystem::path(scene.description().place).stem().string();
+  if (point_lines != 0) name += "-points";
+  if (memory != 0) name += "-in-" + std::to_string(memory);
+  Expected seen{name, "as written", 2166136261u, 0, 0, 0, {}};
   EngineOptions options;
   options.width = scene.description().width;
   options.height = scene.description().height;
@@ -54,6 +56,18 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines) {
   return seen;
 }
 
+// The budget that draws the scene in so many bytes, with two line buffers where it is whole then, else with one.
+std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, std::uint32_t memory) {
+  constexpr std::uint32_t kStack = 1700;  // what frames take on an M4, and the Frame itself
+  const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
+  for (const unsigned lines : {2u, 1u}) {
+    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < kStack + lines * line) break;
+    const std::optional<Budget> budget = shrunk_budget(scene, 0, 0, fitted, memory - kStack - lines * line);
+    if (budget && (lines == 1 || budget->band_vertices == 0)) return {*budget, lines};
+  }
+  throw InputError(scene.description().place, "cannot be drawn in " + std::to_string(memory) + " bytes");
+}
+
 }  // namespace
 
 PrepareCommand::PrepareCommand(CLI::App& app)
@@ -61,6 +75,7 @@ PrepareCommand::PrepareCommand(CLI::App& app)
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the folder")->required();
   verb_->add_option("--point-lines", point_lines_, "draw patches as points, in bands of so many lines (default: dice)");
+  verb_->add_option("--memory", memory_, "bytes for everything: pools, line buffers, stack (default: what it takes)");
 }
 
 void PrepareCommand::run() const {
@@ -73,13 +88,19 @@ void PrepareCommand::run() const {
     scene.merge_coplanar(kMostMergedCorners);
     budget = fitted_budget(scene, 0, 0, point_lines_);
   }
-  Expected expected = draw(scene, point_lines_);
+  unsigned line_buffers = 2;
+  if (memory_ != 0) {
+    std::tie(*budget, line_buffers) = within(scene, *budget, memory_);
+  }
+  Expected expected = draw(scene, point_lines_, memory_);
   if (scene_.shading()) expected.shading = *scene_.shading();
 
   std::filesystem::create_directories(out_);
   write_file(out_ + "/shown.cpp", emit_source(scene, "shown", "shown.hpp"));
   write_file(out_ + "/shown.hpp", emit_header(scene, "shown"));
-  write_file(out_ + "/budget.hpp", emit_budget(*budget, "shown", "frame 0 of " + expected.scene));
+  write_file(out_ + "/budget.hpp", emit_budget(*budget, "shown", "frame 0 of " + expected.scene) +
+                                       "\nnamespace shown {\ninline constexpr unsigned kLineBuffers = " +
+                                       std::to_string(line_buffers) + ";\n}\n");
   const nlohmann::ordered_json json = {{"scene", expected.scene},
                                        {"shading", expected.shading},
                                        {"checksum", expected.checksum},

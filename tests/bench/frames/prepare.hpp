@@ -37,6 +37,7 @@ class PrepareCommand {
   host::SceneOptions scene_;
   std::string out_;
   std::uint16_t point_lines_ = 0;
+  std::uint32_t memory_ = 0;
 };
 
 }  // namespace spanline::bench

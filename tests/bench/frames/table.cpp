@@ -34,7 +34,7 @@ std::string frames_table(const std::vector<FrameCount>& frames) {
     out << "\n";
   }
   out << "One whole frame, background included, counted instruction by instruction; cycles: core cycles at zero wait "
-         "states.\nRAM: pools, two lines, measured stack with the Frame on it; text: the engine with the compiler's "
+         "states.\nRAM: pools and Frame, line buffers, measured stack; text: the engine with the compiler's "
          "helpers. Bytes.\nOthers: thousands of instructions, drawing and clearing.\n";
   return out.str();
 }
