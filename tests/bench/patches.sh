@@ -1,14 +1,13 @@
 #!/bin/sh
 # The teapot in patches, culled and flat, at 320 x 240 and half a pixel on a Cortex-M4, everything counted (pools, two line
-# buffers, the measured stack with the Frame on it): what it takes within 24 KB of RAM and within 40, beside the mesh of
-# 992 triangles drawn by the segment walker, which took 2,889 thousand instructions when the bounds were set: at most three
-# times as much in 24 KB, twice in 40.
+# buffers, the measured stack with the Frame on it): what it takes within 24 KB of RAM and within 40. The mesh of 992
+# triangles took the segment walker 2,889 thousand instructions when the bounds were set, three times as much in 24 KB and
+# twice in 40; what patches take is well within them, and the limits here are what they take and 5 %.
 # usage: patches.sh SOURCE WORK FRAMES
 set -eu
 [ $# -eq 3 ] || { echo "usage: patches.sh SOURCE WORK FRAMES" >&2; exit 2; }
 . "$1/tests/bench/images.sh"
 begin_images "$1" "$2" "$3"
-mesh=2889  # thousand instructions
 
 all=$work/frames/in-40-KB small=$work/frames/in-24-KB
 rm -rf "$small"
@@ -19,10 +18,10 @@ if cmp -s "$all/budget.hpp" "$small/budget.hpp"; then echo "FAILED: the budget h
 
 build_images m4 in-40-KB in-24-KB
 
-# check NAME KILOBYTES TIMES
+# check NAME KILOBYTES THOUSANDS
 check() {
   "$tool" count "$work" "m4/$1" --out "$work/$1.json"
-  tr -d '",' < "$work/$1.json" | awk -v name="$1" -v ram=$(($2 * 1024)) -v most=$(($3 * mesh * 1000)) '
+  tr -d '",' < "$work/$1.json" | awk -v name="$1" -v ram=$(($2 * 1024)) -v most=$(($3 * 1000)) '
     $1 == "instructions:" { instructions = $2 }
     $1 == "ram_bytes:" { bytes = $2 }
     END {
@@ -31,5 +30,5 @@ check() {
       exit bad
     }'
 }
-check in-24-KB 24 3
-check in-40-KB 40 2
+check in-24-KB 24 3325
+check in-40-KB 40 2550
