@@ -168,8 +168,10 @@ bool BandLines<kTaps, kPaint>::cull(const InstanceCursor& at) {
   const std::uint32_t first = at.first_vertex();
   bool inside = true;
   const auto project = [&](std::uint32_t vertex, BandVertex & kept) __attribute__((noinline)) {
-    inside = inside && (surely || !points_.outside(vertex));
-    kept.at = points_[vertex];
+    // What lies behind the viewer has no place, and the answer is no.
+    const bool seen = surely || !points_.outside(vertex);
+    inside = inside && seen;
+    kept.at = seen ? points_[vertex] : ScreenXY{};
     kept.vertex = static_cast<std::uint16_t>(1 + first + vertex);
   };
   const auto place = [&](std::uint32_t vertex) __attribute__((always_inline)) {
