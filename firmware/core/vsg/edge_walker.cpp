@@ -4,6 +4,7 @@ namespace spanline {
 
 void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
   cursor_ = InstanceCursor(scene);
+  mesh_ = {};
   buckets_.clear(top, screen_.height);
   begin();
 }
@@ -30,14 +31,20 @@ struct EdgeWalker::Fans {
   const ActiveEdge* last;   // room for edges, and the sentinel
 };
 
-template <typename Word>
-EdgeWalker::Fans<Word> EdgeWalker::fans_around(std::uint32_t vertex, const DrawnFaces<Word>& drawn) {
+// Goes to the instance of a vertex, as VertexBuckets names it.
+void EdgeWalker::enter(std::uint32_t vertex) {
   cursor_.to_vertex(vertex - 1);
   const MeshRecord& mesh = cursor_.mesh();
-  const std::uint32_t first = cursor_.first_vertex() + 1, first_id = cursor_.first_face() + 1;
-  return {mesh.fan_starts.data(), mesh.fans.data(), &points_[first], drawn.words + first_id,
-          drawn.not_drawn,        first_id,         first,           mesh.positions.size(),
-          walk_.now + capacity_};
+  const std::uint32_t first = cursor_.first_vertex() + 1;
+  mesh_ = {mesh.fan_starts.data(), mesh.fans.data(), &points_[first], cursor_.first_face() + 1, first,
+           mesh.positions.size()};
+}
+
+template <typename Word>
+inline EdgeWalker::Fans<Word> EdgeWalker::fans_of_mesh(const DrawnFaces<Word>& drawn) const {
+  const MeshFans& m = mesh_;
+  return {m.starts,   m.edges, m.points, drawn.words + m.first_id, drawn.not_drawn,
+          m.first_id, m.first, m.count,  walk_.now + capacity_};
 }
 
 void EdgeWalker::end_start(const Started& started) {
@@ -198,9 +205,12 @@ struct EdgeWalker::Faces {
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
   Started started{walk_.alive_end + 1};
-  Fans<Word> fans;
+  Fans<Word> fans = fans_of_mesh(drawn);
   for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
-    if (vertex - fans.first >= fans.count) fans = fans_around(vertex, drawn);
+    if (vertex - fans.first >= fans.count) [[unlikely]] {
+      enter(vertex);
+      fans = fans_of_mesh(drawn);
+    }
     const FromVertex from(PackedXY(points_[vertex]), line);
     const std::uint16_t* const start = fans.starts + (vertex - fans.first);
     const std::uint32_t count = std::uint32_t{start[1]} - start[0];

@@ -131,10 +131,20 @@ class EdgeWalker {
   [[gnu::noinline]] void move_edges(ActiveEdge* to, ActiveEdge* end);
   bool has_long_column() const;
 
+  // The fans of one instance.
+  struct MeshFans {
+    const std::uint16_t* starts = nullptr;
+    const FanEdge* edges = nullptr;
+    const ScreenXY* points = nullptr;
+    std::uint32_t first_id = 0;  // of the faces
+    std::uint32_t first = 0;     // vertex, as VertexBuckets names it
+    std::uint32_t count = 0;     // of vertices
+  };
+  [[gnu::noinline]] void enter(std::uint32_t vertex);
   template <typename Word>
   struct Fans;
   template <typename Word>
-  Fans<Word> fans_around(std::uint32_t vertex, const DrawnFaces<Word>& drawn);
+  Fans<Word> fans_of_mesh(const DrawnFaces<Word>& drawn) const;
   template <typename Word>
   struct Faces;
   template <typename Word>
@@ -156,6 +166,7 @@ class EdgeWalker {
   [[gnu::noinline]] void resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
+  MeshFans mesh_;  // of the vertex that was reached last
   VertexBuckets buckets_;
   PoolRef<ScreenXY> points_;
   ActiveEdge* pool_ = nullptr;
