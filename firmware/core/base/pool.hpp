@@ -17,6 +17,7 @@ class PoolRef {
   constexpr PoolRef(T* data, std::uint16_t capacity) : data_(data), capacity_(capacity) {}
 
   constexpr std::uint16_t capacity() const { return capacity_; }
+  constexpr T* sink() const { return data_; }  // null where there is no pool
   constexpr void limit(std::uint32_t most) {
     if (most < capacity_) capacity_ = static_cast<std::uint16_t>(most);
   }

@@ -16,7 +16,7 @@ class FaceColors {
  public:
   FaceColors() = default;
   explicit FaceColors(PoolRef<FaceColor> colors)
-      : colors_(&colors[0]), mask_(std::bit_floor(colors.capacity() + 1u) - 1u) {}
+      : colors_(colors.sink()), mask_(std::bit_floor(colors.capacity() + 1u) - 1u) {}
 
   // None is known; put(0) is to be said next.
   void clear() {

@@ -39,12 +39,12 @@ class EdgeWalker {
   EdgeWalker(const EdgeStorage& storage, const Screen& screen)
       : buckets_(storage.buckets, storage.links, storage.points),
         points_(storage.points),
-        pool_(&storage.edges[0][0]),
+        pool_(storage.edges[0].sink()),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
         planes_(storage.planes),
         screen_(screen) {
     walk_.now = pool_;
-    walk_.begin = &storage.edges[1][0];
+    walk_.begin = storage.edges[1].sink();
     walk_.side = LineWalk::side_of(screen.width);
   }
 

@@ -31,7 +31,7 @@ constexpr Rule kRules[] = {{"::project(", kVertex},
                            {"::start_edges", kEdge},
                            {"DepthRows::plane", kPlane},
                            {"depth_plane(", kPlane},
-                           {"::look_of(", kLook},
+                           {"::make_look(", kLook},
                            {"brightness_plane(", kLook},
                            {"::show_front", kOverlap},
                            {"resolve_", kOverlap}};
