@@ -5,11 +5,11 @@
 set -eu
 [ $# -eq 4 ] || { echo "usage: half.sh SOURCE WORK FRAMES WHOLE.json" >&2; exit 2; }
 scenes=$1/assets/scenes
-work=$2/half
-mkdir -p "$work"
+work=$2                     # that of the whole frames, so that the engine is not built again
+cp "$4" "$work/whole.json"  # which frames.sh may overwrite
 
 # scene shading bytes, and how many hundredths of the whole frame's instructions at most on the M4 and on the M0+
-cat > "$work/asked.txt" <<'TEXT'
+cat > "$work/half-asked.txt" <<'TEXT'
 S1 flat    3072 157 141
 S1 gouraud 3328 148 136
 S3 flat    5888 178 168
@@ -18,13 +18,14 @@ S4 flat    9984 219 201
 S4 gouraud 9984 256 252
 TEXT
 while read -r scene shading bytes _; do
-  sh "$1/tests/bench/frames.sh" "$1" "$work" "$3" "m4 m0plus" "$shading" "$scenes/$scene.json@$bytes" > "$work/table.txt"
-  mv "$work/frames.json" "$work/$scene-$shading.json"
-done < "$work/asked.txt"
+  sh "$1/tests/bench/frames.sh" "$1" "$work" "$3" "m4 m0plus" "$shading" "$scenes/$scene.json@$bytes" > "$work/half-table.txt"
+  mv "$work/frames.json" "$work/half-$scene-$shading.json"
+done < "$work/half-asked.txt"
+cp "$work/whole.json" "$4"
 
 echo '| scene | core | shading | RAM asked for | RAM | instructions | times the whole |'
 echo '|---|---|---|--:|--:|--:|--:|'
-cat "$4" "$work"/S*.json | tr -d '",' | awk '
+cat "$work"/whole.json "$work"/half-S*.json | tr -d '",' | awk '
   NR == FNR { asked[$1 " " $2] = $3; most[$1 " " $2 " m4"] = $4; most[$1 " " $2 " m0plus"] = $5; next }
   $1 ~ /:$/ { v[substr($1, 1, length($1) - 1)] = $2 }
   $1 != "}" { next }
@@ -45,4 +46,4 @@ cat "$4" "$work"/S*.json | tr -d '",' | awk '
   END {
     if (frames != 12) { print "FAILED: 12 frames expected, " frames + 0 " counted"; bad = 1 }
     exit bad
-  }' "$work/asked.txt" -
+  }' "$work/half-asked.txt" -

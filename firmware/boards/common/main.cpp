@@ -88,12 +88,15 @@ void report(std::uint32_t shown) {
   print("\n");
 }
 
+// Apart, so that the pools' table does not stay on the stack.
+[[gnu::noinline]] TheFrame make_frame() { return TheFrame(memory.storage()); }
+
 [[noreturn]] void run() {
   demand(board.begin());
   BoardPanel& panel = board.panel();
   demand(panel.begin());
   demand(stage.begin(kDemo, kScreen));
-  TheFrame frame(memory.storage());
+  TheFrame frame = make_frame();
   Presenter<BoardPanel> presenter(panel, scan_out_storage());
   for (std::uint32_t shown = 0;; ++shown) {
     frame_begin_mark();

@@ -86,10 +86,10 @@ class BandLines {
   std::uint32_t lit_ = UINT32_MAX;  // the instance whose lights they are
   // The group of a face that was lit last.
   struct {
-    std::uint32_t before = 0;    // the id of its mesh's first face
-    std::uint32_t first = 0;     // id
-    std::uint16_t count = 0;     // of faces
-    std::uint16_t material = 0;  //
+    std::uint32_t before = 0;  // the id of its mesh's first face
+    std::uint32_t first = 0;   // id
+    std::uint16_t count = 0;   // of faces
+    std::uint16_t material = 0;
     const MaterialRecord* look = nullptr;
     const Normal10* normals = nullptr;  // by ids, where one light without a hue lights them
     LightRig::One one{};                // that

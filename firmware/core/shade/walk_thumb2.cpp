@@ -160,12 +160,12 @@ asm(R"(
     rsbs lr, r3, #8
     blo 6b
 7:  tbb [pc, lr]                    @ past those of eight that are too many
-71: .set at, 72f - 71b
+71: .set past, 0                    @ half the bytes from here to the first pixel, and those of a pixel
     .rept 8
-    .byte at / 2
-    .set at, at + 14
+    .byte 4 + 7 * past
+    .set past, past + 1
     .endr
-72: smooth_pixels 8
+    smooth_pixels 8
     .endm
 
 @ The span of a face whose look, r4 and lr, is not the brush's: of one colour, or else to `unknown`.

@@ -25,12 +25,15 @@ struct Program {
   alignas(4) static inline std::uint8_t lines[2][kLineBytes];
   static inline Picture picture;
 
+  // Apart, so that the pools' table does not stay on the stack.
+  [[gnu::noinline]] static Frame<> make_frame() { return Frame<>(memory.storage()); }
+
   static void draw(const SceneRecord& scene, const CameraRecord& camera) {
     picture = {};
     SceneView view;
     picture.status = SceneView::validate(scene, view);
     if (!picture.status.ok()) return;
-    Frame<> frame(memory.storage());
+    Frame<> frame = make_frame();
     unsigned turn = 0;
     frame_begin_mark();
     for (Band rest{0, kBudget.height}; !rest.empty();) {
