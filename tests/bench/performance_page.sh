@@ -34,9 +34,9 @@ rows() {
 
 "$tools/spanline-frames" pieces "$work" m4 m3 m0plus > "$work/pieces.md"
 
-sh "$source/tests/bench/half.sh" "$source" "$work" "$tools/spanline-frames" "$work/frames.json" > "$work/half.md"
-
 sh "$source/tests/bench/kept.sh" "$source" "$work" "$tools/spanline" > "$work/kept.md"
+
+sh "$source/tests/bench/half.sh" "$source" "$work" "$tools/spanline-frames" "$work/frames.json" > "$work/half.md"
 
 sh "$source/tests/bench/growth.sh" "$source" "$work" "$tools/spanline-frames" > "$work/growth.md"
 

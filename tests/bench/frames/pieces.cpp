@@ -34,7 +34,9 @@ constexpr Rule kRules[] = {{"::project(", kVertex},
                            {"::make_look(", kLook},
                            {"brightness_plane(", kLook},
                            {"::show_front", kOverlap},
-                           {"resolve_", kOverlap}};
+                           {"::go_on", kOverlap},
+                           {"resolve_", kOverlap},
+                           {"spanline_", kWalk}};
 
 struct Row {
   Piece piece;
@@ -45,7 +47,7 @@ constexpr Row kRows[] = {{kVertex, "a vertex projected"},
                          {kEdge, "an edge begun, once for both its faces"},
                          {kPlane, "a face before or behind others: its depth plane"},
                          {kLook, "a smooth face: its brightness plane"},
-                         {kOverlap, "a span of several faces: the nearest found"},
+                         {kOverlap, "a span of several faces: the nearest found; stops for looks"},
                          {kWalk, "an edge on a line: stepped, the span to its left begun"}};
 
 Piece piece_of(const std::string& name, Piece caller) {
