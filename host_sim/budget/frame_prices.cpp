@@ -5,7 +5,7 @@ namespace spanline::host {
 
 // Core cycles at zero wait states, fitted to counted frames of the benchmark. The segment walker's: S1, S3 and S4,
 // flat; references and pixels meet each within 5 %. The edge walker's (`./dev bench`): these and balls of 120, 960 and
-// 3,024 triangles; each within 14 %. What a face costs once more, per band after the first, is from the demos' cycles
+// 3,024 triangles; each within 13 %. What a face costs once more, per band after the first, is from the demos' cycles
 // before their first line.
 const std::vector<FramePrice>& frame_prices() {
   static const std::vector<FramePrice> kPrices = [] {
@@ -19,12 +19,12 @@ const std::vector<FramePrice>& frame_prices() {
       prices.push_back(
           {core, Walker::edges, gouraud, {.pixels = pixel, .faces = face, .crossings = crossing, .overlaps = overlap}});
     };
-    edges("m0+", false, 3.2, 190, 48.1, 281);
-    edges("m0+", true, 2.6, 0, 124.5, 343);
-    edges("m3", false, 2.5, 166, 24.0, 208);
-    edges("m3", true, 1.9, 0, 90.4, 205);
-    edges("m4", false, 2.4, 108, 31.2, 187);
-    edges("m4", true, 2.0, 0, 86.5, 184);
+    edges("m0+", false, 2.8, 76.5, 61.3, 242.5);
+    edges("m0+", true, 2.6, 0, 123.8, 269);
+    edges("m3", false, 2.0, 95, 37.2, 180);
+    edges("m3", true, 1.7, 0, 89.6, 182);
+    edges("m4", false, 2.0, 39.7, 37.4, 174.6);
+    edges("m4", true, 1.8, 0, 82.7, 150);
     return prices;
   }();
   return kPrices;

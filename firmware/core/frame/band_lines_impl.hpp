@@ -63,23 +63,13 @@ struct BandLines<kTaps, kPaint>::Sink {
     painter.smooth(from, to, look.plane, mesh.brush_.colors());
   }
   void report_alone(std::int32_t left, std::int32_t right, FaceId face) const {
-    DepthRamp ramp;
-    if (face != 0) {
-      const DepthPlane plane = mesh.plane(face);
-      ramp = {plane.ramp.at_zero + plane.down * line, plane.ramp.slope};
-    }
-    report(left, right, face, ramp);
+    report(left, right, face, face != 0 ? mesh.plane(face).on_line(line) : DepthRamp{});
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
-    if (tap.span == nullptr) return;
-    VisibleSpan span;
-    span.line = line;
-    span.left = static_cast<std::uint16_t>(left);
-    span.right = static_cast<std::uint16_t>(right);
-    span.face = static_cast<std::uint16_t>(face - 1);
-    if (!mesh.smooth()) span.payload = face != 0 ? mesh.color(face) : painter.background();
-    span.depth = ramp;
-    tap.span(tap.context, span);
+    const std::uint16_t payload = mesh.smooth() ? std::uint16_t{0}
+                                  : face != 0   ? mesh.color(face)
+                                                : painter.background();
+    tap.tell(line, left, right, static_cast<std::uint16_t>(face - 1), payload, ramp);
   }
 };
 

@@ -18,6 +18,20 @@ struct SpanTap {
   void* context = nullptr;
   void (*span)(void* context, const VisibleSpan& span) = nullptr;
   void (*layers)(void* context, const LayeredSpan& span) = nullptr;
+
+  // Tells of a span of the edge walker.
+  void tell(std::uint16_t line, std::int32_t left, std::int32_t right, std::uint16_t face, std::uint16_t payload,
+            const DepthRamp& depth) const {
+    if (span == nullptr) return;
+    VisibleSpan seen;
+    seen.line = line;
+    seen.left = static_cast<std::uint16_t>(left);
+    seen.right = static_cast<std::uint16_t>(right);
+    seen.face = face;
+    seen.payload = payload;
+    seen.depth = depth;
+    span(context, seen);
+  }
 };
 
 // The word of a face: the colour it is painted in, or the one value that means that it is not drawn. That value is no

@@ -89,23 +89,11 @@ struct MeshLines<kTaps, kPaint>::Sink {
     fill_exactly(painter.out(), static_cast<std::int32_t>(left), static_cast<std::int32_t>(right), color);
   }
   void report_alone(std::int32_t left, std::int32_t right, FaceId face) const {
-    DepthRamp ramp;
-    if (face != 0) {
-      const DepthPlane plane = mesh.rows_.plane(face - 1u, mesh.points_);
-      ramp = {plane.ramp.at_zero + plane.down * line, plane.ramp.slope};
-    }
-    report(left, right, face, ramp);
+    report(left, right, face, face != 0 ? mesh.rows_.plane(face - 1u, mesh.points_).on_line(line) : DepthRamp{});
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
-    if (tap.span == nullptr) return;
-    VisibleSpan span;
-    span.line = line;
-    span.left = static_cast<std::uint16_t>(left);
-    span.right = static_cast<std::uint16_t>(right);
-    span.face = static_cast<std::uint16_t>(face - 1);
-    if (!mesh.smooth()) span.payload = mesh.words_[face];
-    span.depth = ramp;
-    tap.span(tap.context, span);
+    tap.tell(line, left, right, static_cast<std::uint16_t>(face - 1),
+             mesh.smooth() ? std::uint16_t{0} : mesh.words_[face], ramp);
   }
 };
 

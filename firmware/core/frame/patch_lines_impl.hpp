@@ -67,15 +67,7 @@ struct PatchLines<kTaps>::Sink {
     if constexpr (kTaps) report(left, right, face, face != 0 ? grids.ramp(face, line) : DepthRamp{});
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
-    if (tap.span == nullptr) return;
-    VisibleSpan span;
-    span.line = line;
-    span.left = static_cast<std::uint16_t>(left);
-    span.right = static_cast<std::uint16_t>(right);
-    if (face != 0) span.face = grids.scene_face(face);
-    span.payload = grids.color(face);
-    span.depth = ramp;
-    tap.span(tap.context, span);
+    tap.tell(line, left, right, face != 0 ? grids.scene_face(face) : kNoFace, grids.color(face), ramp);
   }
 };
 

@@ -14,6 +14,10 @@ namespace spanline {
 struct DepthPlane {
   DepthRamp ramp;
   std::uint32_t down = 0;
+
+  DepthRamp on_line(std::int32_t line) const {
+    return {ramp.at_zero + down * static_cast<std::uint32_t>(line), ramp.slope};
+  }
 };
 DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen);
 

@@ -220,7 +220,7 @@ void EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink
   const std::int32_t left = walk_.left;
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
-    return DepthRamp{p.ramp.at_zero + p.down * static_cast<std::uint32_t>(line), p.ramp.slope};
+    return p.on_line(line);
   };
   const auto show = [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
     sink.front(begin, end, face, ramp);
