@@ -7,7 +7,7 @@
 namespace spanline {
 
 BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
-                                                       std::int32_t rise2) {
+                                         std::int32_t rise2) {
   const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
   const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
   const std::int64_t area = dx1 * dy2 - dx2 * dy1;
