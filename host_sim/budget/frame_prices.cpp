@@ -24,7 +24,7 @@ const std::vector<FramePrice>& frame_prices() {
     edges("m3", false, 2.0, 95, 37.2, 180);
     edges("m3", true, 1.7, 0, 89.6, 182);
     edges("m4", false, 2.0, 39.7, 37.4, 174.6);
-    edges("m4", true, 1.8, 0, 82.7, 150);
+    edges("m4", true, 1.77, 0, 82.7, 150);
     return prices;
   }();
   return kPrices;
