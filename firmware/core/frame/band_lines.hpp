@@ -69,7 +69,8 @@ class BandLines {
       turn_to(face);
   }
   [[gnu::noinline]] void turn_to(FaceId face);
-  [[gnu::noinline]] const LightRig& lights();
+  // As the instance of `points_` sees them.
+  const LightRig& lights() { return lights_.of(scene_.scene(), points_.index(), points_.instance().transform); }
   bool give_up(bool overlaps);
 
   SceneView scene_;
@@ -82,8 +83,7 @@ class BandLines {
   SmoothCache smooth_;
   BandBrush brush_;
   DepthRows rows_;
-  LightRig lights_;
-  std::uint32_t lit_ = UINT32_MAX;  // the instance whose lights they are
+  KeptLights lights_;
   // The group of a face that was lit last.
   struct {
     std::uint32_t before = 0;  // the id of its mesh's first face

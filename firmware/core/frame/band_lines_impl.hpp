@@ -138,7 +138,7 @@ void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
   colors_.clear();
   smooth_.clear();
   if (smooth()) brush_ = BandBrush(smooth_.looks(), {smooth_.look_mask()});
-  lit_ = UINT32_MAX;
+  lights_.forget();
   at_hand_ = {};
   new (&points_) InstancePoints(scene_.scene(), camera_, screen_);
   new (&rows_) DepthRows(scene_.scene(), camera_, screen_, 0);  // in its place, not copied there
@@ -265,16 +265,6 @@ void BandLines<kTaps, kPaint>::corners(FaceId face, ScreenXY (&at)[3]) {
   for (unsigned i = 0; i < 3; ++i) at[i] = place(corner[i]);
 }
 
-// As the instance of `points_` sees them.
-template <bool kTaps, Paint kPaint>
-const LightRig& BandLines<kTaps, kPaint>::lights() {
-  if (lit_ != points_.index()) {
-    lit_ = points_.index();
-    lights_ = LightRig(scene_.scene(), points_.instance().transform);
-  }
-  return lights_;
-}
-
 // The face's group becomes the one at hand.
 template <bool kTaps, Paint kPaint>
 void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
@@ -286,8 +276,8 @@ void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
   const std::uint16_t number = material_of(points_.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   const LightRig& rig = lights();
-  const bool quick = material.shading != MaterialRecord::kUnlit && rig.simple() && rig.one().most() <= 256 &&
-                     !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+  const bool quick = material.shading != MaterialRecord::kUnlit && rig.quick() && !mesh.face_normals.empty() &&
+                     screen_.format == PixelFormat::rgb565;
   at_hand_ = {before,
               before + group->first_face,
               group->face_count,

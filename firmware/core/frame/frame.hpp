@@ -113,7 +113,9 @@ class Frame {
                                                    const MaterialRecord& material) const;
   [[gnu::noinline]] Room begin_outline(std::uint16_t face, std::uint16_t line,
                                        const typename VisibleSegments<kOptions>::Look& look);
-  const LightRig& lights();
+  const LightRig& lights() {
+    return lights_.of(scene_.scene(), reader_.instance_index(), reader_.instance().transform);
+  }
   // Whether there are points, and a band to plot them into.
   bool plots() const {
     if constexpr (kOptions.points) return scene_.has_patches() && patches_.lines() != 0;
@@ -146,8 +148,7 @@ class Frame {
   struct NoPatches {};
   using Drawn = std::conditional_t<kOptions.points, PointSource, PatchSource>;
   [[no_unique_address]] std::conditional_t<kOptions.patches, Drawn, NoPatches> patches_;
-  LightRig lights_;
-  std::uint32_t lit_instance_ = UINT32_MAX;
+  KeptLights lights_;
   VisibleSegments<kOptions> vsg_;
   Painter painter_;
   CurveLayer curves_;

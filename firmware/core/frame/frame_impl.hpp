@@ -132,7 +132,7 @@ void Frame<kOptions>::begin_curves(Band rest) {
 
 template <FrameOptions kOptions>
 void Frame<kOptions>::read_vertices() {
-  lit_instance_ = UINT32_MAX;
+  lights_.forget();
   smooth_.clear();
   reader_ = FacetReader(scene_, camera_, screen_, cache_);
   vertices_ = reader_.fill_cache();
@@ -427,15 +427,6 @@ FaceLook Frame<kOptions>::look_of(std::uint16_t face) {
     level[i] = rig.brightness(reader_.mesh().vertex_normals[reader_.face().corners[i]], flip);
   }
   return {brightness_plane(corners.at, level), 0, reader_.face().material};
-}
-
-template <FrameOptions kOptions>
-const LightRig& Frame<kOptions>::lights() {
-  if (lit_instance_ != reader_.instance_index()) {
-    lit_instance_ = reader_.instance_index();
-    lights_ = LightRig(scene_.scene(), reader_.instance().transform);
-  }
-  return lights_;
 }
 
 }  // namespace spanline

@@ -159,7 +159,9 @@ class MeshLines {
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
   void make_look(FaceId face, FaceLook& look);
   bool turn_to(FaceId face, FaceLook& flat);
-  const LightRig& lights(const InstanceCursor& at);
+  const LightRig& lights(const InstanceCursor& at) {
+    return lights_.of(scene_.scene(), at.index(), at.instance().transform);
+  }
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
                            const LightRig& rig) const;
   bool give_up(bool overlaps);
@@ -180,8 +182,7 @@ class MeshLines {
   FaceSlots slots_;  // in their place where faces may be smooth
   DepthRows rows_;
   SmoothFaces smooth_faces_;
-  LightRig lights_;  // of lit_instance_
-  std::uint32_t lit_instance_ = UINT32_MAX;
+  KeptLights lights_;
   EdgeWalker walker_;
   Paint found_ = Paint::any;  // where it is not decided beforehand
   std::uint16_t line_ = 0;    // to be made next

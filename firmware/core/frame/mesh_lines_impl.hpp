@@ -157,7 +157,7 @@ Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 template <bool kTaps, Paint kPaint>
 [[gnu::cold]] void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
   smooth_faces_ = {};
-  lit_instance_ = UINT32_MAX;
+  lights_.forget();
   smooth_.clear();
   if (smooth()) {
     slots_[0] = 0;
@@ -232,16 +232,6 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
   return true;
 }
 
-// The lights as the instance sees them.
-template <bool kTaps, Paint kPaint>
-const LightRig& MeshLines<kTaps, kPaint>::lights(const InstanceCursor& at) {
-  if (lit_instance_ != at.index()) {
-    lit_instance_ = at.index();
-    new (&lights_) LightRig(scene_.scene(), at.instance().transform);
-  }
-  return lights_;
-}
-
 // The colour of a face drawn flat.
 template <bool kTaps, Paint kPaint>
 std::uint16_t MeshLines<kTaps, kPaint>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
@@ -302,8 +292,7 @@ void MeshLines<kTaps, kPaint>::light_faces(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   const LightRig& rig = lights(at);
   const LightRig::One one = rig.one();
-  const bool quick =
-      rig.simple() && one.most() <= 256 && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+  const bool quick = rig.quick() && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
   const std::uint32_t before = at.first_face() + 1u;
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];

@@ -10,8 +10,8 @@ class FlatLight {
  public:
   FlatLight(const LightRig& rig, const MaterialRecord& material, PixelFormat format)
       : rig_(rig), material_(material), one_(rig.one()), format_(format) {
-    quick_ = rig.simple() && one_.most() <= 256 && format == PixelFormat::rgb565 &&
-             material.shading != MaterialRecord::kUnlit && material.reach == MaterialRecord::kAllLight;
+    quick_ = rig.quick() && format == PixelFormat::rgb565 && material.shading != MaterialRecord::kUnlit &&
+             material.reach == MaterialRecord::kAllLight;
   }
 
   // Of a surface with this normal, as flat_payload() has it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 
 #include "core/fx/bits.hpp"
 #include "core/scene/format.hpp"
@@ -29,6 +30,8 @@ class LightRig {
   bool single() const { return count_ == 1 && uniform_; }
   // Whether it is so in every channel, since neither light nor ambient light have a hue.
   bool simple() const { return grey_ && single(); }
+  // Whether lit_rgb565_wire() of that sum is the colour of a surface, as it does not saturate.
+  bool quick() const { return simple() && one().most() <= 256; }
 
   // LightHue's channel of a light and of the ambient light, in a mesh that is turned and scaled evenly.
   struct One {
@@ -68,6 +71,24 @@ class LightRig {
   std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform
   std::uint16_t intensity_[kMaxLights][3];
   std::uint16_t ambient_[3] = {0, 0, 0};
+};
+
+// The rig of the instance that was asked for last.
+class KeptLights {
+ public:
+  void forget() { instance_ = UINT32_MAX; }
+  // Of the scene's instance of this number; `transform` is its.
+  const LightRig& of(const SceneRecord& scene, std::uint32_t instance, const Transform& transform) {
+    if (instance_ != instance) {
+      instance_ = instance;
+      new (&rig_) LightRig(scene, transform);  // in its place, not copied there
+    }
+    return rig_;
+  }
+
+ private:
+  LightRig rig_;
+  std::uint32_t instance_ = UINT32_MAX;
 };
 
 }  // namespace spanline
