@@ -3,10 +3,24 @@
 
 namespace spanline::host {
 
+namespace {
+
+// A row of edge_prices.inc.
+struct EdgePrice {
+  const char* core;
+  bool gouraud;
+  double each[4];  // pixel, face, crossing, depth test more than the crossings'
+};
+constexpr EdgePrice kEdgePrices[] = {
+#include "budget/edge_prices.inc"
+};
+
+}  // namespace
+
 // Core cycles at zero wait states, fitted to counted frames of the benchmark. The segment walker's: S1, S3 and S4,
-// flat; references and pixels meet each within 5 %. The edge walker's (`./dev bench`): these and balls of 120, 960 and
-// 3,024 triangles; each within 13 %. What a face costs once more, per band after the first, is from the demos' cycles
-// before their first line.
+// flat; references and pixels meet each within 5 %. The edge walker's (tests/bench/prices.sh): these and balls of 120,
+// 960 and 3,024 triangles. What a face costs once more, per band after the first, is from the demos' cycles before
+// their first line.
 const std::vector<FramePrice>& frame_prices() {
   static const std::vector<FramePrice> kPrices = [] {
     std::vector<FramePrice> prices;
@@ -15,16 +29,13 @@ const std::vector<FramePrice>& frame_prices() {
       prices.push_back({"m3", Walker::segments, gouraud, {.pixels = 1.8, .references = 352, .faces_again = 600}});
       prices.push_back({"m4", Walker::segments, gouraud, {.pixels = 1.7, .references = 350, .faces_again = 600}});
     }
-    const auto edges = [&](const char* core, bool gouraud, double pixel, double face, double crossing, double overlap) {
-      prices.push_back(
-          {core, Walker::edges, gouraud, {.pixels = pixel, .faces = face, .crossings = crossing, .overlaps = overlap}});
-    };
-    edges("m0+", false, 2.8, 76.5, 61.3, 242.5);
-    edges("m0+", true, 2.6, 0, 123.8, 269);
-    edges("m3", false, 2.0, 95, 37.2, 180);
-    edges("m3", true, 1.7, 0, 89.6, 182);
-    edges("m4", false, 2.0, 39.7, 37.4, 174.6);
-    edges("m4", true, 1.77, 0, 82.7, 150);
+    for (const EdgePrice& price : kEdgePrices) {
+      const auto& [pixel, face, crossing, overlap] = price.each;
+      prices.push_back({price.core,
+                        Walker::edges,
+                        price.gouraud,
+                        {.pixels = pixel, .faces = face, .crossings = crossing, .overlaps = overlap}});
+    }
     return prices;
   }();
   return kPrices;

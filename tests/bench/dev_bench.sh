@@ -39,6 +39,8 @@ bench() {
   if [ -n "$pages" ]; then
     say "docs/performance.md"
     sh tests/bench/performance_page.sh . build/bench build/host docs/performance.md
+    say "what budgets' sweep expects of frames"
+    sh tests/bench/prices.sh . build/bench build/host/spanline-frames
     return
   fi
   say "pieces, on this machine"

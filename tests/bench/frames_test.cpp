@@ -51,7 +51,7 @@ TEST(Frames, StandBesideThoseWhoDrewTheSame) {
 }
 
 TEST(Frames, GoIntoTheTableAndTheFile) {
-  const FrameCount frame{"m4", {"S3", "flat", 0, 992, 0, 0}, {601'000, 900'000}, 9'000, 1'280, 700, 12'000};
+  const FrameCount frame{"m4", {"S3", "flat", 0, 992, 0, 0, 0}, {601'000, 900'000}, 9'000, 1'280, 700, 12'000};
   EXPECT_EQ(frames_json({frame}),
             "[\n  {\n    \"scene\": \"S3\",\n    \"cpu\": \"m4\",\n    \"shading\": \"flat\",\n    \"instructions\": "
             "601000,\n    \"ram_bytes\": 10980,\n    \"text_bytes\": 12000\n  }\n]\n");

@@ -30,25 +30,22 @@ TEST(FramePrices, MeetWhatWasCounted) {
 
 TEST(FramePrices, MeetTheEdgeWalkersFrames) {
   struct Scene {
-    FrameWork work;
+    double faces, crossings, depth_tests;
     double cycles[3][2];  // of kPricedCores, flat and Gouraud
   };
-  const auto work = [](double faces, double crossings, double tests) {
-    return FrameWork{.pixels = 76800, .faces = faces, .crossings = crossings, .overlaps = tests - crossings / 2};
-  };
   const Scene scenes[] = {
-      {work(12, 1248, 624), {{265'255, 319'038}, {183'732, 217'140}, {182'786, 213'641}}},
-      {work(992, 8780, 5960), {{1'373'880, 1'904'491}, {969'248, 1'347'737}, {896'605, 1'246'188}}},
-      {work(2048, 17324, 12359), {{2'089'749, 3'399'608}, {1'493'496, 2'357'634}, {1'377'395, 2'171'724}}},
-      {work(120, 3808, 1807), {{443'726, 717'432}, {288'357, 507'779}, {281'788, 495'095}}},
-      {work(960, 9960, 5246), {{865'856, 1'361'482}, {599'257, 965'171}, {551'551, 893'472}}},
-      {work(3024, 17582, 9534), {{1'651'441, 2'581'671}, {1'175'467, 1'807'230}, {1'026'272, 1'597'138}}}};
+#include "mcu/edge_frames.inc"
+  };
   for (const Scene& scene : scenes) {
+    const FrameWork work{.pixels = 76800,
+                         .faces = scene.faces,
+                         .crossings = scene.crossings,
+                         .overlaps = scene.depth_tests - scene.crossings / 2};
     for (std::size_t core = 0; core < 3; ++core) {
       for (const bool gouraud : {false, true}) {
         const FramePrice& price = price_of(kPricedCores[core], Walker::edges, gouraud);
-        EXPECT_NEAR(estimated_cycles(price, scene.work) / scene.cycles[core][gouraud ? 1 : 0], 1, 0.13)
-            << price.core << " " << scene.work.faces;
+        EXPECT_NEAR(estimated_cycles(price, work) / scene.cycles[core][gouraud ? 1 : 0], 1, 0.13)
+            << price.core << " " << scene.faces;
       }
     }
   }

@@ -6,6 +6,7 @@
 #include "assetc/input_error.hpp"
 #include "frames/count.hpp"
 #include "frames/pieces.hpp"
+#include "frames/prices.hpp"
 #include "sim/exit_code.hpp"
 #include "sim/output_file.hpp"
 
@@ -48,10 +49,12 @@ int main(int argc, char** argv) {
   const spanline::bench::PrepareCommand prepare(app);
   const spanline::bench::CountCommand count(app);
   const spanline::bench::PiecesCommand pieces(app);
+  const spanline::bench::PricesCommand prices(app);
   return spanline::host::exit_code_of(app, [&] {
     app.parse(argc, argv);
     if (prepare.chosen()) prepare.run();
     if (count.chosen()) count.run();
     if (pieces.chosen()) pieces.run();
+    if (prices.chosen()) prices.run();
   });
 }

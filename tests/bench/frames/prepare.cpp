@@ -35,7 +35,7 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
   std::string name = std::filesystem::path(scene.description().place).stem().string();
   if (point_lines != 0) name += "-points";
   if (memory != 0) name += "-in-" + std::to_string(memory);
-  Expected seen{name, "as written", 2166136261u, 0, 0, 0, {}};
+  Expected seen{name, "as written", 2166136261u, 0, 0, 0, 0, {}};
   EngineOptions options;
   options.width = scene.description().width;
   options.height = scene.description().height;
@@ -52,6 +52,7 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
   seen.faces = static_cast<std::uint32_t>(table_sizes(scene).faces);
   seen.edge_crossings = rendering.statistics.edge_crossings;
   seen.output_segments = rendering.statistics.output_segments;
+  seen.depth_tests = rendering.statistics.comparator_cycles;
   seen.units = units_of(view, scene.camera(), {options.width, options.height, options.format});
   return seen;
 }
@@ -107,6 +108,7 @@ void PrepareCommand::run() const {
                                        {"faces", expected.faces},
                                        {"edge_crossings", expected.edge_crossings},
                                        {"output_segments", expected.output_segments},
+                                       {"depth_tests", expected.depth_tests},
                                        {"units", units_json(expected.units)}};
   write_file(out_ + "/expected.json", json.dump(2) + "\n");
 }
@@ -114,8 +116,8 @@ void PrepareCommand::run() const {
 Expected read_expected(const std::string& folder) {
   const std::string path = folder + "/expected.json";
   const nlohmann::json json = nlohmann::json::parse(read_file(path));
-  return {json.at("scene"),          json.at("shading"),         json.at("checksum"),         json.at("faces"),
-          json.at("edge_crossings"), json.at("output_segments"), units_from(json.at("units"))};
+  return {json.at("scene"),          json.at("shading"),         json.at("checksum"),    json.at("faces"),
+          json.at("edge_crossings"), json.at("output_segments"), json.at("depth_tests"), units_from(json.at("units"))};
 }
 
 }  // namespace spanline::bench

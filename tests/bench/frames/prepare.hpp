@@ -15,7 +15,7 @@ struct Expected {
   std::string scene;       // the scene's file, without folder and extension
   std::string shading;     // "flat", "gouraud", or "as written"
   std::uint32_t checksum;  // FNV-1a of the picture's bytes, as the host draws it
-  std::uint32_t faces, edge_crossings, output_segments;
+  std::uint32_t faces, edge_crossings, output_segments, depth_tests;
   Units units{};
 };
 
