@@ -48,10 +48,8 @@ TEST(Golden, EveryLargerPictureHasItsChecksum) {
 
 TEST(Golden, EveryPictureInLinesHasItsChecksum) {
   static LineMemory<kLineBudget> memory;
-  expect_checksums(kLinePictures,
-                   [](const Picture& picture, demos::Stage& stage, Slice<std::uint8_t> line, std::uint32_t& crc) {
-                     return draw(picture, memory.storage(), stage, line, crc);
-                   });
+  expect_checksums(kLinePictures, [](const Picture& picture, demos::Stage& stage, Slice<std::uint8_t> line,
+                                     std::uint32_t& crc) { return draw(picture, memory.storage(), stage, line, crc); });
 }
 
 TEST(Golden, Crc32IsTheUsualOne) {

@@ -51,7 +51,7 @@ void CurvePlotter::plan(std::int32_t top) {
 
 // False where the waiting pieces do not fit and there are lines to give up.
 bool CurvePlotter::file_all(std::int32_t top, std::int32_t bottom) {
-  for (std::int32_t line = top; line < bottom; ++line) storage_.buckets[static_cast<std::size_t>(line - top + 1)] = 0;
+  for (std::int32_t line = top; line < bottom; ++line) storage_.buckets[static_cast<std::uint32_t>(line - top + 1)] = 0;
   waiting_ = 0;
   std::uint32_t refused = 0;
   for (std::uint16_t curve = 0; curve < scene_.curve_count(); ++curve) {
@@ -77,7 +77,7 @@ bool CurvePlotter::file(std::uint16_t curve, std::uint16_t piece, std::int32_t t
   if (lines.first >= bottom || lines.last < top || (!afresh_ && lines.first < top)) return true;
   if (waiting_ == storage_.pieces.capacity()) return false;
   const std::int32_t first = lines.first > top ? lines.first : top;
-  std::uint16_t& bucket = storage_.buckets[static_cast<std::size_t>(first - top + 1)];
+  std::uint16_t& bucket = storage_.buckets[static_cast<std::uint32_t>(first - top + 1)];
   storage_.pieces[++waiting_] = {bucket, curve, piece};
   bucket = waiting_;
   return true;
@@ -92,7 +92,7 @@ Pen CurvePlotter::pen() const {
 }
 
 void CurvePlotter::begin_pieces(std::int32_t line) {
-  for (std::uint16_t at = storage_.buckets[static_cast<std::size_t>(line - top_ + 1)]; at != 0;
+  for (std::uint16_t at = storage_.buckets[static_cast<std::uint32_t>(line - top_ + 1)]; at != 0;
        at = storage_.pieces[at].next) {
     const WaitingPiece waiting = storage_.pieces[at];
     reader_.select(waiting.curve);

@@ -22,10 +22,11 @@ inline constexpr auto kInverseRootSeeds = [] {
 // 1 / sqrt(value) as factor / 2^(31 - up), factor in [2^15 - 1, 2^16], with a relative error below 2^-14; value > 0. A
 // Newton step from a table of 384 bytes and no divide: the same on every core.
 struct InverseRoot {
-  std::uint32_t factor;
+  std::uint32_t factor = 0;
   int up;
 
-  explicit constexpr InverseRoot(std::uint32_t value) : factor(0), up(std::countl_zero(value) / 2) {
+  explicit constexpr InverseRoot(std::uint32_t value) : up(std::countl_zero(value) / 2) {
+    if (value == 0) __builtin_unreachable();  // else the shift would be by 32
     const std::uint32_t m = value << (2 * up);
     const std::uint32_t r = detail::kInverseRootSeeds[(m >> 24) - 64];
     const std::uint32_t rest = (3u << 30) - (m >> 16) * (r * r >> 16);  // Q2.30: 3 - m r r
