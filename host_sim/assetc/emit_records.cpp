@@ -65,7 +65,7 @@ void emit_mesh_tables(std::ostringstream& out, const MeshRecord& mesh, const std
   });
   emit_table(out, "std::uint16_t", "kFanStarts" + suffix, mesh.fan_starts, number);
   emit_table(out, "spanline::FanEdge", "kFans" + suffix, mesh.fans,
-             [](const FanEdge& e) { return braces(e.to, e.face, e.twin); });
+             [](const FanEdge& e) { return braces(e.to, e.face); });
   emit_table(out, "spanline::CurveRecord", "kCurves" + suffix, mesh.curves, [](const CurveRecord& c) {
     constexpr const char* kKinds[] = {"kBezier", "kQuadratic", "kBSpline", "kCatmullRom"};
     return "{" + std::to_string(c.first_corner) + ", " + std::to_string(c.point_count) +

@@ -49,27 +49,59 @@ std::vector<Edge> pair_edges(const MeshTables& mesh) {
   return edges;
 }
 
+// An edge as its vertex has it; `before`: the face clockwise of it.
+struct Spoke {
+  Number to, face, before;
+};
+
+// The spokes of a vertex, counter-clockwise.
+std::vector<FanEdge> round_of(Number vertex, std::vector<Spoke> spokes) {
+  // Open rounds begin where there is no face before.
+  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+    return std::tuple(a.before != FanEdge::kNone, a.face) < std::tuple(b.before != FanEdge::kNone, b.face);
+  });
+  std::vector<std::vector<FanEdge>> rounds;
+  while (!spokes.empty()) {
+    const Number before = spokes.front().before;
+    std::vector<FanEdge>& round = rounds.emplace_back();
+    for (auto next = spokes.begin(); next != spokes.end() && (round.empty() || round.back().face != before);) {
+      round.push_back({next->to, next->face});
+      spokes.erase(next);
+      next = std::find_if(spokes.begin(), spokes.end(), [&](const Spoke& s) { return s.before == round.back().face; });
+    }
+  }
+  std::vector<FanEdge> fan;
+  for (std::size_t i = 0; i < rounds.size(); ++i) {
+    const std::vector<FanEdge>& last = i == 0 ? rounds.back() : rounds[i - 1];
+    if (last.back().face != rounds[i].back().face) fan.push_back({vertex, rounds[i].back().face});
+    fan.insert(fan.end(), rounds[i].begin(), rounds[i].end());
+  }
+  return fan;
+}
+
 }  // namespace
 
 void build_fans(MeshTables& mesh) {
   constexpr std::size_t kMost = 65535;
   mesh.fan_starts.clear();
   mesh.fans.clear();
-  if (!only_triangles(mesh)) return;
-  const std::vector<Edge> edges = pair_edges(mesh);
-  if (2 * edges.size() > kMost) return;
-  std::vector<std::vector<FanEdge>> around(mesh.positions.size());
-  for (const Edge& edge : edges) {
+  if (!only_triangles(mesh) || mesh.face_count > FanEdge::kMostFaces) return;
+  std::vector<std::vector<Spoke>> around(mesh.positions.size());
+  for (const Edge& edge : pair_edges(mesh)) {
     around[edge.from].push_back({edge.to, edge.face, edge.twin});
     around[edge.to].push_back({edge.from, edge.twin, edge.face});
   }
-  mesh.fan_starts.push_back(0);
-  for (std::vector<FanEdge>& fan : around) {
-    std::sort(fan.begin(), fan.end(),
-              [](const FanEdge& a, const FanEdge& b) { return std::tie(a.face, a.twin) < std::tie(b.face, b.twin); });
-    mesh.fans.insert(mesh.fans.end(), fan.begin(), fan.end());
-    mesh.fan_starts.push_back(static_cast<Number>(mesh.fans.size()));
+  std::vector<FanEdge> fans;
+  std::vector<Number> starts{0};
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    if (around[v].size() > FanEdge::kMostInFan / 2) return;  // there may be an entry more for each two of them
+    const std::vector<FanEdge> fan = round_of(static_cast<Number>(v), std::move(around[v]));
+    fans.insert(fans.end(), fan.begin(), fan.end());
+    if (fans.size() > kMost) return;
+    starts.push_back(static_cast<Number>(fans.size()));
   }
+  mesh.fan_starts = std::move(starts);
+  mesh.fans = std::move(fans);
 }
 
 }  // namespace spanline::host

@@ -230,14 +230,15 @@ void BandLines<kTaps, kPaint>::feed(std::uint32_t vertex, const FromVertex& from
     const bool drawn = face != FanEdge::kNone && drawn_.has(first_face + face);
     return static_cast<FaceId>(drawn ? first_face + face + 1 : 0);
   };
-  for (const FanEdge* const end = mesh.fans.data() + start[1]; edge != end; ++edge) {
+  const FanEdge* const end = mesh.fans.data() + start[1];
+  for (std::uint16_t twin = end[-1].face; edge != end; twin = edge->face, ++edge) {
     const std::uint32_t to = edge->to;
     if (!vertices_.known(first + to)) continue;
     const BandVertex* const kept = vertices_.find(first + to);
     if (kept != nullptr && kept->reached()) continue;
     const PackedXY bottom(kept != nullptr ? kept->at : points_[to]);
     if (from.has_ended(bottom)) continue;
-    const FaceId begins = shown(edge->face), ends = shown(edge->twin);
+    const FaceId begins = shown(edge->face), ends = shown(twin);
     if ((begins | ends) != 0) add(from, bottom, begins, ends);
   }
 }

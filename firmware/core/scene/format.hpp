@@ -107,11 +107,18 @@ struct FaceGroup {
 
 // An edge as one of its two vertices sees it: what the edge walker starts when its line comes to that vertex. Both
 // vertices have it in their fans, each from its own side.
+//
+// A fan goes round its vertex counter-clockwise, so a face is named once, between the edges that it lies between: the
+// face whose ring runs to the fan's vertex is that of the entry before, and of the first one the fan's last. Where a
+// vertex has more than one round of faces, an entry whose `to` is the vertex itself stands before each that does not go
+// on from the one before, with the face of the round's last.
 struct FanEdge {
   static constexpr std::uint16_t kNone = 0xffff;
+  static constexpr std::uint32_t kMostFaces = 0x8000;  // of a mesh with fans: kNone is its one negative face
+  static constexpr std::uint32_t kMostInFan = 1024;    // entries: checking a fan takes time by their square
+
   std::uint16_t to;    // the other vertex
   std::uint16_t face;  // mesh face whose ring runs from the fan's vertex to `to`; kNone at a border
-  std::uint16_t twin;  // mesh face whose ring runs the other way
 };
 
 // A curve, drawn as a stroke of constant width on the screen, over all faces; unlit. Its points are MeshRecord::corners
@@ -169,7 +176,7 @@ struct MeshRecord {
   Fx16 origin[3];
   std::int32_t unit;  // Q1.31, > 0
   // Of triangle meshes only, for the edge walker: the edges around vertex v are [fan_starts[v], fan_starts[v + 1]) of
-  // fans, in order of face and twin. Both empty: the mesh has no fans.
+  // fans. Both empty: the mesh has no fans.
   Slice<const std::uint16_t> fan_starts = {};
   Slice<const FanEdge> fans = {};
   Slice<const CurveRecord> curves = {};

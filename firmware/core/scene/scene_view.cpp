@@ -54,39 +54,49 @@ Status check_group(const SceneRecord& scene, const MeshRecord& mesh, std::uint32
   return check_rings(mesh, group, g);
 }
 
-// Whether the ring of a triangle runs from one vertex to another.
-bool runs(const MeshRecord& mesh, std::uint16_t face, std::uint16_t from, std::uint16_t to) {
+// Whether a face is the triangle a, b, c, from whichever corner on.
+bool is_triangle(const MeshRecord& mesh, std::uint16_t face, std::uint16_t a, std::uint16_t b, std::uint16_t c) {
   if (face >= mesh.face_count) return false;
-  const std::uint16_t* const c = mesh.corners.data() + 3u * face;
-  return (c[0] == from && c[1] == to) || (c[1] == from && c[2] == to) || (c[2] == from && c[0] == to);
+  const std::uint16_t* const at = mesh.corners.data() + 3u * face;
+  const std::uint32_t first = at[0] == a ? 0 : at[1] == a ? 1 : 2;
+  return at[first] == a && at[(first + 1) % 3] == b && at[(first + 2) % 3] == c;
 }
 
-// The order of a fan: by face, then twin, each edge once.
-std::uint32_t fan_order(const FanEdge& edge) { return std::uint32_t{edge.face} << 16 | edge.twin; }
-
-// The fan of a vertex as the one at the edge's other end has it too; fans are in order, so halving finds it.
-bool has_other_end(const MeshRecord& mesh, std::uint16_t from, const FanEdge& edge) {
-  const std::uint32_t wanted = std::uint32_t{edge.twin} << 16 | edge.face;
-  std::uint32_t low = mesh.fan_starts[edge.to], high = mesh.fan_starts[edge.to + 1u];
-  while (low < high) {
-    const std::uint32_t middle = (low + high) / 2;
-    if (fan_order(mesh.fans[middle]) < wanted) {
-      low = middle + 1;
-    } else {
-      high = middle;
+// Whether the fan of a vertex goes round it by faces that are its neighbours', none of them twice; counts these.
+bool goes_round(const MeshRecord& mesh, std::uint16_t vertex, std::uint32_t& faces) {
+  const FanEdge* const begin = mesh.fans.data() + mesh.fan_starts[vertex];
+  const FanEdge* const end = mesh.fans.data() + mesh.fan_starts[vertex + 1u];
+  if (end - begin > static_cast<std::ptrdiff_t>(FanEdge::kMostInFan)) return false;
+  const FanEdge* first = begin;  // of the round
+  for (const FanEdge* edge = begin; edge != end; ++edge) {
+    if (edge->to == vertex) {
+      first = edge + 1;
+      continue;
     }
+    const bool last = edge + 1 == end || edge[1].to == vertex;
+    if (last && (first == begin ? end : first)[-1].face != edge->face) return false;
+    if (edge->to >= mesh.positions.size()) return false;
+    if (edge->face == FanEdge::kNone) continue;
+    if (!is_triangle(mesh, edge->face, vertex, edge->to, (last ? first : edge + 1)->to)) return false;
+    for (const FanEdge* other = begin; other != edge; ++other) {
+      if (other->face == edge->face && other->to != vertex) return false;
+    }
+    ++faces;
   }
-  return low < mesh.fan_starts[edge.to + 1u] && fan_order(mesh.fans[low]) == wanted && mesh.fans[low].to == from;
+  return true;
 }
 
-// Every side of every face but degenerate ones is in the fan of the vertex that it begins at, once, and, from its other
-// end, once more: so what the edges begin and end on a line is each face once.
+// Every corner of every face but degenerate ones is in the fan of its vertex, once, and so are, from either end, the
+// sides that run to it and from it: so what the edges begin and end on a line is each face once.
 Status check_fans(const MeshRecord& mesh, std::uint32_t index) {
   const std::uint32_t vertices = mesh.positions.size();
   if (mesh.fan_starts.empty() && mesh.fans.empty()) return {};
   if (mesh.fan_starts.size() != vertices + 1 || mesh.fan_starts[0] != 0 ||
       mesh.fan_starts[vertices] != mesh.fans.size()) {
     return bad("MeshRecord", "fan_starts", index, mesh.fan_starts.size(), vertices + 1);
+  }
+  if (mesh.face_count > FanEdge::kMostFaces) {
+    return bad("MeshRecord", "fans (faces)", index, mesh.face_count, FanEdge::kMostFaces);
   }
   for (const FaceGroup& group : mesh.groups) {
     if (group.corners_per_face != 3 || group.first_corner != 3u * group.first_face)
@@ -95,25 +105,15 @@ Status check_fans(const MeshRecord& mesh, std::uint32_t index) {
   for (std::uint32_t v = 0; v < vertices; ++v) {
     if (mesh.fan_starts[v] > mesh.fan_starts[v + 1]) return bad("MeshRecord", "fan_starts", index, v);
   }
-  std::uint32_t sides = 0;
+  std::uint32_t corners = 0, wanted = 0;
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    const auto from = static_cast<std::uint16_t>(v);
-    for (std::uint32_t i = mesh.fan_starts[v]; i < mesh.fan_starts[v + 1]; ++i) {
-      const FanEdge& edge = mesh.fans[i];
-      const bool in_order = i == mesh.fan_starts[v] || fan_order(mesh.fans[i - 1]) < fan_order(edge);
-      const bool face = edge.face == FanEdge::kNone || runs(mesh, edge.face, from, edge.to);
-      const bool twin = edge.twin == FanEdge::kNone || runs(mesh, edge.twin, edge.to, from);
-      if (!in_order || edge.to >= vertices || !face || !twin || !has_other_end(mesh, from, edge))
-        return bad("MeshRecord", "fans", index, i);
-      sides += edge.face != FanEdge::kNone;
-    }
+    if (!goes_round(mesh, static_cast<std::uint16_t>(v), corners)) return bad("MeshRecord", "fans", index, v);
   }
-  std::uint32_t wanted = 0;
   for (std::uint32_t i = 0; i < 3u * mesh.face_count; i += 3) {
     const std::uint16_t* const c = mesh.corners.data() + i;
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) wanted += 3;
   }
-  return sides == wanted ? Status{} : bad("MeshRecord", "fans", index, sides, wanted);
+  return corners == wanted ? Status{} : bad("MeshRecord", "fans", index, corners, wanted);
 }
 
 Status check_curve(const SceneRecord& scene, const MeshRecord& mesh, std::uint32_t index) {

@@ -186,9 +186,8 @@ struct EdgeWalker::Faces {
   std::uint32_t ending = 0;
   bool drawn;
 
-  Faces(const FanEdge& edge, const Fans<Word>& fans) {
-    // The counter-clockwise face lies on the right.
-    const std::uint32_t face = edge.face, twin = edge.twin;
+  // The counter-clockwise face lies on the right, `twin` on the left.
+  Faces(std::uint32_t face, std::uint32_t twin, const Fans<Word>& fans) {
     const bool begins = face != FanEdge::kNone && fans.words[face] != fans.not_drawn;
     const bool ends = twin != FanEdge::kNone && fans.words[twin] != fans.not_drawn;
     constexpr CoverKey kOne = CoverKey{1} << kCoverCount;
@@ -219,10 +218,11 @@ bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
         !has_room(fans, edge, count, line, fans.last - started.out)) {
       return false;
     }
-    for (const FanEdge* const end = edge + count; edge != end; ++edge) {
+    const FanEdge* const end = edge + count;
+    for (std::uint32_t twin = end[-1].face; edge != end; twin = edge->face, ++edge) {
       const PackedXY bottom(fans.points[edge->to]);
       if (from.has_ended(bottom)) continue;
-      const Faces<Word> faces(*edge, fans);
+      const Faces<Word> faces(edge->face, twin, fans);
       if (!faces.drawn) continue;
       started.out->toggle = faces.toggle;
       from.run(*started.out, bottom, faces.ending);
@@ -238,8 +238,9 @@ template <typename Word>
 bool EdgeWalker::has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count, std::int32_t line,
                           std::ptrdiff_t room) {
   const FromVertex from(PackedXY(0), line);
-  for (const FanEdge* const end = fan + count; fan != end; ++fan) {
-    if (!from.has_ended(PackedXY(fans.points[fan->to])) && Faces<Word>(*fan, fans).drawn) --room;
+  const FanEdge* const end = fan + count;
+  for (std::uint32_t twin = end[-1].face; fan != end; twin = fan->face, ++fan) {
+    if (!from.has_ended(PackedXY(fans.points[fan->to])) && Faces<Word>(fan->face, twin, fans).drawn) --room;
   }
   return room >= 0;
 }
