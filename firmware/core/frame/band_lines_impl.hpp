@@ -17,12 +17,12 @@ struct BandLines<kTaps, kPaint>::Sink {
   WalkStop start(LineWalk& walk) const {
     walk.pixels = painter.out();
     walk.begin_line();
-    return run(walk);
+    return run(walk, 0);
   }
-  WalkStop run(LineWalk& walk) const {
-    if (!kTaps && mesh.paint() == Paint::flat_words) return band_flat_walk(walk);
-    if (!kTaps && mesh.paint() == Paint::smooth_words) return band_smooth_walk(walk);
-    return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+  WalkStop run(LineWalk& walk, FaceId shown) const {
+    if (!kTaps && mesh.paint() == Paint::flat_words) return band_flat_walk(walk, shown);
+    if (!kTaps && mesh.paint() == Paint::smooth_words) return band_smooth_walk(walk, shown);
+    return walk_on(walk, shown, [this](std::int32_t left, std::int32_t right, FaceId face) {
       one(left, right, face);
       return true;
     });
@@ -49,7 +49,6 @@ struct BandLines<kTaps, kPaint>::Sink {
     if constexpr (kTaps) report(left, right, face, ramp);
     paint(left, right, face);
   }
-  void front_alone(std::int32_t left, std::int32_t right, FaceId face) const { one(left, right, face); }
 
  private:
   // Not a pixel too far.

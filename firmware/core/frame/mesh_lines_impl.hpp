@@ -25,12 +25,12 @@ struct MeshLines<kTaps, kPaint>::Sink {
     if (!kTaps && mesh.paint() == Paint::flat_words) return flat_line(walk);
     if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_line(walk);
     walk.begin_line();
-    return run(walk);
+    return run(walk, 0);
   }
-  WalkStop run(LineWalk& walk) const {
-    if (!kTaps && mesh.paint() == Paint::flat_words) return flat_walk(walk);
-    if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_walk(walk);
-    return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+  WalkStop run(LineWalk& walk, FaceId shown) const {
+    if (!kTaps && mesh.paint() == Paint::flat_words) return flat_walk(walk, shown);
+    if (!kTaps && mesh.paint() == Paint::smooth_words) return smooth_walk(walk, shown);
+    return walk_on(walk, shown, [this](std::int32_t left, std::int32_t right, FaceId face) {
       one(left, right, face);
       return true;
     });
@@ -56,25 +56,10 @@ struct MeshLines<kTaps, kPaint>::Sink {
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
-    paint_front(left, right, face);
-  }
-  void front_alone(std::int32_t left, std::int32_t right, FaceId face) const {
-    if constexpr (kTaps) report_alone(left, right, face);
-    paint_front(left, right, face);
+    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
 
  private:
-  [[gnu::noinline]] void paint_front(std::int32_t left, std::int32_t right, FaceId face) const {
-    if (mesh.paint() != Paint::any && right + kOvershoot <= mesh.screen_.width) {
-      if (mesh.paint() == Paint::flat_words) return fill_span(painter.out(), left, right, mesh.words_[face]);
-      const FaceLook& look = mesh.brush_.look(face);
-      if (mesh.brush_.knows(face, look)) {
-        return smooth_span(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
-      }
-      if (look.flat_of(face)) return fill_span(painter.out(), left, right, look.color());
-    }
-    paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
-  }
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
     if (face == 0 || !mesh.smooth()) return fill(left, right, mesh.words_[face]);

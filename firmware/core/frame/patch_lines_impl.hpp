@@ -20,11 +20,11 @@ struct PatchLines<kTaps>::Sink {
     walk.pixels = painter.out();
     if constexpr (kWords && !kTaps) return grid_line<GridVertex>(walk);
     walk.begin_line();
-    return run(walk);
+    return run(walk, 0);
   }
-  WalkStop run(LineWalk& walk) const {
-    if constexpr (kWords && !kTaps) return grid_walk<GridVertex>(walk);
-    return walk_on(walk, [this](std::int32_t left, std::int32_t right, FaceId face) {
+  WalkStop run(LineWalk& walk, FaceId shown) const {
+    if constexpr (kWords && !kTaps) return grid_walk<GridVertex>(walk, shown);
+    return walk_on(walk, shown, [this](std::int32_t left, std::int32_t right, FaceId face) {
       report_one(left, right, face);
       paint(left, right, face);
       return true;
@@ -40,18 +40,10 @@ struct PatchLines<kTaps>::Sink {
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
-    paint_front(left, right, face);
-  }
-  void front_alone(std::int32_t left, std::int32_t right, FaceId face) const {
-    report_one(left, right, face);
-    paint_front(left, right, face);
+    paint_cut(left, right, face);
   }
 
  private:
-  void paint_front(std::int32_t left, std::int32_t right, FaceId face) const {
-    if (right + kOvershoot > width) return paint_cut(left, right, face);
-    paint(left, right, face);
-  }
   void paint(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kWords) {
       fill_span(painter.out(), left, right, grids.color(face));

@@ -8,7 +8,7 @@
 namespace spanline {
 
 // LineWalk::painter is a FaceColors. For any core.
-inline WalkStop band_flat_walk_plain(LineWalk& walk) {
+inline WalkStop band_flat_walk_plain(LineWalk& walk, FaceId shown) {
   const auto paint = [pixels = walk.pixels, colors = *static_cast<const FaceColors*>(walk.painter)](
                          std::int32_t left, std::int32_t right, FaceId face) {
     if (!colors.knows(face)) [[unlikely]]
@@ -16,18 +16,18 @@ inline WalkStop band_flat_walk_plain(LineWalk& walk) {
     fill_span(pixels, left, right, colors[face]);
     return true;
   };
-  return walk_on(walk, paint);
+  return walk_on(walk, shown, paint);
 }
 // LineWalk::painter is a BandBrush.
-inline WalkStop band_smooth_walk_plain(LineWalk& walk) { return smooth_walk_by<BandBrush>(walk); }
+inline WalkStop band_smooth_walk_plain(LineWalk& walk, FaceId shown) { return smooth_walk_by<BandBrush>(walk, shown); }
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.
-WalkStop band_flat_walk(LineWalk& walk) asm("spanline_band_flat_walk");
-WalkStop band_smooth_walk(LineWalk& walk) asm("spanline_band_smooth_walk");
+WalkStop band_flat_walk(LineWalk& walk, FaceId shown) asm("spanline_band_flat_walk");
+WalkStop band_smooth_walk(LineWalk& walk, FaceId shown) asm("spanline_band_smooth_walk");
 #else
-inline WalkStop band_flat_walk(LineWalk& walk) { return band_flat_walk_plain(walk); }
-inline WalkStop band_smooth_walk(LineWalk& walk) { return band_smooth_walk_plain(walk); }
+inline WalkStop band_flat_walk(LineWalk& walk, FaceId shown) { return band_flat_walk_plain(walk, shown); }
+inline WalkStop band_smooth_walk(LineWalk& walk, FaceId shown) { return band_smooth_walk_plain(walk, shown); }
 #endif
 
 }  // namespace spanline

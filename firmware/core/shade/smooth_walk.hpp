@@ -8,7 +8,7 @@ namespace spanline {
 
 // LineWalk::painter is a brush of this type, LineWalk::faces is not used.
 template <typename Brush>
-WalkStop smooth_walk_by(LineWalk& walk) {
+WalkStop smooth_walk_by(LineWalk& walk, FaceId shown) {
   const auto paint = [pixels = walk.pixels, brush = *static_cast<const Brush*>(walk.painter)](
                          std::int32_t left, std::int32_t right, FaceId face) {
     const FaceLook& look = brush.look(face);
@@ -20,16 +20,16 @@ WalkStop smooth_walk_by(LineWalk& walk) {
     smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
     return true;
   };
-  return walk_on(walk, paint);
+  return walk_on(walk, shown, paint);
 }
 // For any core.
-inline WalkStop smooth_walk_plain(LineWalk& walk) { return smooth_walk_by<SmoothBrush>(walk); }
+inline WalkStop smooth_walk_plain(LineWalk& walk, FaceId shown) { return smooth_walk_by<SmoothBrush>(walk, shown); }
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.
-WalkStop smooth_walk(LineWalk& walk) asm("spanline_smooth_walk");
+WalkStop smooth_walk(LineWalk& walk, FaceId shown) asm("spanline_smooth_walk");
 #else
-inline WalkStop smooth_walk(LineWalk& walk) { return smooth_walk_plain(walk); }
+inline WalkStop smooth_walk(LineWalk& walk, FaceId shown) { return smooth_walk_plain(walk, shown); }
 #endif
 
 // The same from the beginning of a line.
@@ -38,7 +38,7 @@ WalkStop smooth_line(LineWalk& walk) asm("spanline_smooth_line");
 #else
 inline WalkStop smooth_line(LineWalk& walk) {
   walk.begin_line();
-  return smooth_walk(walk);
+  return smooth_walk(walk, 0);
 }
 #endif
 

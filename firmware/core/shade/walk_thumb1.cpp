@@ -245,6 +245,7 @@ asm(R"(
     ldr r5, [r0, #36]
     movs r6, #1
     lsls r6, r6, #17
+    mov r7, r1                      @ the face shown
     push {r4-r7}
     ldmia r0!, {r1-r7}
     mov r8, r3
@@ -253,8 +254,14 @@ asm(R"(
     mov r10, r5
     mov lr, r6
     mov r11, r7
+    ldr r6, [sp, #12]
     \kind\()_state
-    b 1f
+    movs r0, r6
+    beq 1f
+    ldr r3, [r1]
+    asrs r3, r3, #20
+    adds r3, r3
+    b 5f
 
 31: movs r0, #1
     b 39f
@@ -299,7 +306,7 @@ asm(R"(
     mov r0, r10
     lsrs r4, r0, #21
     bne 31b
-    \kind\()_span
+5:  \kind\()_span
 3:  ldmia r1!, {r3-r6}
     add r10, r5
     \kind\()_count_down

@@ -62,10 +62,10 @@ asm(R"(
     ldrh r4, [r12]
     .endm
 
-@ The span of face r9.
+@ The span of face r9, or from 5 on of face lr.
     .macro flat_span unknown
     uxth lr, r9
-    ldrh r4, [r12, lr, lsl #1]
+5:  ldrh r4, [r12, lr, lsl #1]
     fill_span
     .endm
 
@@ -78,8 +78,8 @@ asm(R"(
 
 @ The same where the walk may not know the face's colour.
     .macro band_flat_span unknown
-    ldm r12, {r0, r4}               @ colours, mask
     uxth lr, r9
+5:  ldm r12, {r0, r4}               @ colours, mask
     eor r5, lr, lr, lsr #5          @ face_place()
     and r4, r5
     ldr r4, [r0, r4, lsl #2]
@@ -100,6 +100,7 @@ asm(R"(
     .endm
 
     .macro grid_state
+    lsr lr, lr, #1
     .endm
 
     .macro grid_tail unknown
@@ -112,7 +113,7 @@ asm(R"(
 @ The same, the colour that of the face's cell.
     .macro grid_span unknown
     ubfx lr, r9, #1, #15
-    add lr, lr, lr, lsl #1
+5:  add lr, lr, lr, lsl #1
     ldrh r4, [r12, lr, lsl #2]
     fill_span
     .endm
@@ -139,7 +140,7 @@ asm(R"(
 @ The same with the face's brightness.
     .macro smooth_span unknown, find=look_by_slot
     uxth lr, r9
-    ldm r12, {r0, r4, r5, r6}       @ looks, slots or mask, material, line
+5:  ldm r12, {r0, r4, r5, r6}       @ looks, slots or mask, material, line
     orr r5, lr
     \find
     add r4, r0, r4, lsl #4
@@ -168,10 +169,9 @@ asm(R"(
     smooth_pixels 8
     .endm
 
-@ The span of a face whose look, r4 and lr, is not the brush's: of one colour, or else to `unknown`.
+@ The span of a face whose look, r4 and lr, is not the brush's: of one colour, or else to `unknown`. The face is r5's.
     .macro smooth_tail unknown
-80: uxth r5, r9
-    movt r5, #0xffff
+80: movt r5, #0xffff
     cmp r5, lr
     bne \unknown
     ldrh r4, [r4, #4]
@@ -248,8 +248,8 @@ spanline_\kind\()_line:
     mov r8, #0
     mov r9, #0
     mov r10, #0x80000000
-    \kind\()_state
     push {r0, lr}
+    \kind\()_state
     ldm r1!, {r3-r6}
     cmp r3, r7
     bgt 20f
@@ -270,12 +270,16 @@ spanline_\kind\()_line:
     .thumb_func
 spanline_\kind\()_walk:
     push {r4-r11, lr}
+    movs lr, r1                     @ the face shown; nothing more sets flags
     ldm r0, {r1, r2, r7-r12}
-    ldr lr, [r0, #36]
+    ldr r3, [r0, #36]
     \kind\()_state
-    push {r0, lr}
+    push {r0, r3}
+    ldm r1!, {r3-r6}
+    bne 5f
+    b 6f
 1:  ldm r1!, {r3-r6}
-    cmp r3, r7
+6:    cmp r3, r7
     bgt 20f
 2:  cmp r8, r3, asr #20
     bge 3f

@@ -71,7 +71,7 @@ class EdgeWalker {
   bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
   // The visible spans of the line. sink.start(LineWalk&) sets its pixels, begins it and
-  // goes on as sink.run(LineWalk&), which is walk_on() with a paint of its own; where it stops at a look,
+  // goes on as sink.run(LineWalk&, FaceId), which is walk_on() with a paint of its own; where it stops at a look,
   // sink.learn(FaceId) sees to it that it does not again. sink.one(left, right, FaceId) takes the spans at the line's
   // right end, sink.rest(left) all of them where nothing covers it; sink.front(left, right, FaceId, ramp) those where
   // others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel
@@ -88,8 +88,7 @@ class EdgeWalker {
   template <bool kInPlace = false, typename Feed>
   bool start_fed(const Feed& feed);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
-  // face that is nearer than every other one wherever both are, or 0 where that takes planes: sink.front_alone(left,
-  // right, FaceId) gets it.
+  // face that is nearer than every other one wherever both are, or 0 where that takes planes.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   // In place the next line's edges overwrite those that the walk has passed. Leaves room before those, so that none is
@@ -161,9 +160,9 @@ class EdgeWalker {
   FaceId begun_alone() const;
   void gather_overlap();
   template <typename Sink, typename Plane>
-  void show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
+  FaceId front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
   template <typename Sink, typename Plane>
-  [[gnu::noinline]] void resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
+  [[gnu::noinline]] FaceId resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
   MeshFans mesh_;  // of the vertex that was reached last
@@ -201,23 +200,22 @@ bool EdgeWalker::start_fed(const Feed& feed) {
   return room;
 }
 
-// Shows the span of several faces that the walk has come to.
+// The face that is in front of the others all over the span of several faces that the walk has come to; 0: there is
+// none, and the span has been shown.
 template <typename Sink, typename Plane>
-inline void EdgeWalker::show_front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
+inline FaceId EdgeWalker::front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
   gather_overlap();
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) [[unlikely]]
-    return;
-  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) [[likely]] {
-    return sink.front_alone(walk_.left, right, face);
-  }
-  resolve(line, right, sink, plane);
+    return 0;
+  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) [[likely]]
+    return face;
+  return resolve(line, right, sink, plane);
 }
 
 // The same where it takes planes.
 template <typename Sink, typename Plane>
-void EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
-  const std::int32_t left = walk_.left;
+FaceId EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return p.on_line(line);
@@ -225,8 +223,7 @@ void EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink
   const auto show = [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
     sink.front(begin, end, face, ramp);
   };
-  if (overlap_.count() == 2 && resolve_pair(overlap_[0], overlap_[1], left, right, ramp_of, show)) return;
-  resolve_overlap(overlap_, left, right, ramp_of, show);
+  return resolve_overlap(overlap_, walk_.left, right, ramp_of, show);
 }
 
 template <typename Sink, typename Plane, typename Again>
@@ -249,17 +246,21 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
 template <typename Sink, typename Plane, typename Again>
 WalkStop EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane, const Again& again) {
   LineWalk& walk = walk_;
+  FaceId shown = 0;
   do {
     if (stop == WalkStop::front) {
-      const std::int32_t right = walk.next()->column();
-      show_front(line, right, sink, plane);
-      walk.left = right;
+      const std::int32_t right = walk.edge->column();
+      shown = front(line, right, sink, plane);
+      if (shown == 0) [[unlikely]]
+        walk.left = right;
     } else if (stop == WalkStop::look) {
-      sink.learn(only_face(walk.key));
-    } else if (again(*walk.out, line + 1)) {
-      walk.put_out();
+      if (walk.key < kTwoFaces) shown = only_face(walk.key);
+      sink.learn(shown);
+    } else {
+      shown = 0;
+      if (again(*walk.out, line + 1)) walk.put_out();
     }
-    stop = sink.run(walk);
+    stop = sink.run(walk, shown);
   } while (goes_on(stop));
   return stop;
 }
@@ -277,8 +278,8 @@ void EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane
     if (column > walk.left) {
       if (walk.key < kTwoFaces) {
         sink.one(walk.left, column, only_face(walk.key));
-      } else {
-        show_front(line, column, sink, plane);
+      } else if (const FaceId face = front(line, column, sink, plane); face != 0) {
+        sink.one(walk.left, column, face);
       }
       walk.left = column;
     }

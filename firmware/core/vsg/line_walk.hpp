@@ -84,10 +84,11 @@ enum class WalkStop : std::uint32_t {
 };
 constexpr bool goes_on(WalkStop stop) { return stop != WalkStop::side && stop != WalkStop::end; }
 
-// Walks on until it has to stop. paint(left, right, FaceId) takes spans of one face or none (0); false where it has to
-// stop before this one.
+// Walks on until it has to stop. `shown` is the face that the span shows at which the walk has stopped; 0: it has not
+// stopped at one, or the column has been brought to its end. paint(left, right, FaceId) takes spans of one face or none
+// (0); false where it has to stop before this one.
 template <typename Paint>
-WalkStop walk_on(LineWalk& walk, const Paint& paint) {
+WalkStop walk_on(LineWalk& walk, FaceId shown, const Paint& paint) {
   // Known to nobody else, so that pixels cannot overwrite them.
   const ActiveEdge* edge = walk.edge;
   ActiveEdge* out = walk.out;
@@ -105,12 +106,16 @@ WalkStop walk_on(LineWalk& walk, const Paint& paint) {
     }
     const std::int32_t column = x >> ActiveEdge::kFraction;
     if (column > left) {
-      stop = WalkStop::front;
-      if (key >= kTwoFaces) [[unlikely]]
-        break;
+      if (shown == 0) {
+        stop = WalkStop::front;
+        if (key >= kTwoFaces) [[unlikely]]
+          break;
+        shown = only_face(key);
+      }
       stop = WalkStop::look;
-      if (!paint(left, column, only_face(key))) [[unlikely]]
+      if (!paint(left, column, shown)) [[unlikely]]
         break;
+      shown = 0;
       left = column;
     }
     const CoverKey toggle = edge->toggle;

@@ -63,11 +63,12 @@ class OverlapSet {
   bool overflow_ = false;
 };
 
-// Hands the visible faces over the columns [left, right), which every face of the set covers, to show(left, right,
-// face, ramp) from left to right. ramp_of(face) is a face's depth along the line.
+// The face of the set that is in front of the others all over the columns [left, right), which every face covers. 0:
+// they cross, and the visible ones have been handed to show(left, right, face, ramp) from left to right. ramp_of(face)
+// is a face's depth along the line.
 template <typename RampOf, typename Show>
-[[gnu::noinline]] void resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t right,
-                                       const RampOf& ramp_of, const Show& show) {
+[[gnu::noinline]] FaceId resolve_overlap(const OverlapSet& set, std::int32_t left, std::int32_t right,
+                                         const RampOf& ramp_of, const Show& show) {
   struct Ramp {  // as DepthRamp, but not cleared first
     std::uint32_t at_zero, slope;
     std::uint32_t at(std::int32_t column) const { return at_zero + slope * static_cast<std::uint32_t>(column); }
@@ -83,6 +84,7 @@ template <typename RampOf, typename Show>
     const auto lead = static_cast<std::int32_t>(depth_i - depth_j);
     return lead > 0 || (lead == 0 && set[i] < set[j]);
   };
+  const std::int32_t begin = left;
   do {
     unsigned front = 0;
     std::uint32_t nearest = ramps[0].at(left);
@@ -102,22 +104,11 @@ template <typename RampOf, typename Show>
       end = DepthComparator<Comparator::plane>::crossing(contest, cycles);
       at_end = ramps[front].at(end - 1);
     }
+    if (left == begin && end == right) return set[front];
     show(left, end, set[front], ramps[front].ramp());
     left = end;
   } while (left < right);
-}
-
-// The same for two faces of which one is in front everywhere; false, and nothing is shown, where they cross.
-template <typename RampOf, typename Show>
-inline bool resolve_pair(FaceId a, FaceId b, std::int32_t left, std::int32_t right, const RampOf& ramp_of,
-                         const Show& show) {
-  const DepthRamp ramp_a = ramp_of(a), ramp_b = ramp_of(b);
-  const DepthRamp lead{ramp_a.at_zero - ramp_b.at_zero, ramp_a.slope - ramp_b.slope};
-  const auto first = [&](std::int32_t column) { return static_cast<std::int32_t>(lead.at(column)) >= (a < b ? 0 : 1); };
-  const bool a_ahead = first(left);
-  if (first(right - 1) != a_ahead) return false;
-  show(left, right, a_ahead ? a : b, a_ahead ? ramp_a : ramp_b);
-  return true;
+  return 0;
 }
 
 }  // namespace spanline
