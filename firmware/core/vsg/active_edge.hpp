@@ -111,23 +111,24 @@ class FromVertex {
   // Whether an edge to there has ended before the line.
   bool has_ended(PackedXY bottom) const { return bottom.y() <= centre_; }
 
+  static constexpr std::int32_t kShort = 512;  // dy, and half dx, of edges that begin at little cost
+
   // Makes an edge to `bottom` what it is on the line; `ending`: the face that ends. One divide, or none, where the edge
-  // is not tall and less than 64 px wide.
+  // is short.
   template <bool kDivide = kDivides>
   void run(ActiveEdge& edge, PackedXY bottom, std::uint32_t ending) const {
     const std::int32_t below = bottom.y() - centre_;
     const std::uint32_t across = (bottom.word << 16) - x_;  // dx, in the upper half: |dx| <= 2^15, which is far
     const std::int32_t dy = below + before_;
-    constexpr std::uint32_t kWide = 1u << 26;
-    if (across + kWide >= 2 * kWide || dy > kTallEdge) [[unlikely]] {
+    const std::uint32_t wide = across ^ static_cast<std::uint32_t>(static_cast<std::int32_t>(across) >> 31);
+    if ((wide >> 17 | static_cast<std::uint32_t>(dy)) >= std::uint32_t{kShort}) [[unlikely]] {
       edge.x = static_cast<std::int32_t>(bottom.word);
       edge.rest = ending;
       return run_far(edge, static_cast<std::uint32_t>(centre_ - before_) << 16 | x_ >> 16, centre_);
     }
     const auto dx = static_cast<std::int32_t>(across) >> 16;
-    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest
-                                   ? exact_slope(static_cast<std::int32_t>(across << 4), dy)
-                                   : SlopeByTable::of(dx, dy);
+    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest ? static_cast<std::int32_t>(across << 4) / dy - 1
+                                                                       : SlopeByTable::of(dx, dy);
     static_assert(1024 * std::int64_t{(1 << 20) + 1} <= INT32_MAX, "dx times a reciprocal");
     // Before < dy: the product stays within dx.
     edge.x = static_cast<std::int32_t>(x_ + static_cast<std::uint32_t>((slope * before_) >> 4)) + kLessHalf;
@@ -141,12 +142,10 @@ class FromVertex {
 
   // edge.x: where it ends, edge.rest: the face that does. Both points are PackedXY. By values, so that nothing here
   // needs a place in memory.
-  static void run_far(ActiveEdge& edge, std::uint32_t top, std::int32_t centre);
+  static void run_far(ActiveEdge& edge, std::uint32_t top, std::int32_t centre) asm("spanline_run_far");
 
-  static std::int32_t exact_slope(std::int32_t whole, std::int32_t dy) {  // cut off
-    const std::int32_t quotient = whole / dy;
-    return quotient + ((whole - quotient * dy) >> 31);
-  }
+  // A quotient that is cut off towards 0, less one, is never too great, and falls behind by less than two units a line.
+  static_assert(2 * ((kShort + 15) / kSubpixels + 1) + 1 <= 65536 / kShort - 1);
 
   std::uint32_t x_;      // of the vertex: 28.4 in the upper half
   std::int32_t centre_;  // of the line, 28.4

@@ -4,7 +4,7 @@ namespace spanline {
 
 void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
   cursor_ = InstanceCursor(scene);
-  mesh_ = {};
+  fans_.count = 0;
   buckets_.clear(top, screen_.height);
   begin();
 }
@@ -17,34 +17,18 @@ void EdgeWalker::begin() {
   walk_.end_alive(walk_.now);
 }
 
-// What the vertices of one instance start their edges from.
-template <typename Word>
-struct EdgeWalker::Fans {
-  const std::uint16_t* starts;
-  const FanEdge* edges;
-  const ScreenXY* points;
-  const Word* words;  // of the instance's faces
-  std::uint32_t not_drawn;
-  std::uint32_t first_id;   // of the faces
-  std::uint32_t first = 0;  // vertex, as VertexBuckets names it
-  std::uint32_t count = 0;  // of vertices
-  const ActiveEdge* last;   // room for edges, and the sentinel
-};
-
 // Goes to the instance of a vertex, as VertexBuckets names it.
 void EdgeWalker::enter(std::uint32_t vertex) {
   cursor_.to_vertex(vertex - 1);
   const MeshRecord& mesh = cursor_.mesh();
   const std::uint32_t first = cursor_.first_vertex() + 1;
-  mesh_ = {mesh.fan_starts.data(), mesh.fans.data(), &points_[first], cursor_.first_face() + 1, first,
-           mesh.positions.size()};
-}
-
-template <typename Word>
-inline EdgeWalker::Fans<Word> EdgeWalker::fans_of_mesh(const DrawnFaces<Word>& drawn) const {
-  const MeshFans& m = mesh_;
-  return {m.starts,   m.edges, m.points, drawn.words + m.first_id, drawn.not_drawn,
-          m.first_id, m.first, m.count,  walk_.now + capacity_};
+  first_id_ = static_cast<FaceId>(cursor_.first_face() + 1);
+  fans_.points = &points_[first];
+  fans_.cover = cover_of(first_id_);
+  fans_.first = first;
+  fans_.count = mesh.positions.size();
+  fans_.starts = mesh.fan_starts.data();
+  fans_.fans = mesh.fans.data();
 }
 
 void EdgeWalker::end_start(const Started& started) {
@@ -179,70 +163,46 @@ inline EdgeWalker::Column EdgeWalker::column() const {
   return column;
 }
 
-// Of an edge that runs down in a mesh, what it toggles and the face that ends, 0 if none.
-template <typename Word>
-struct EdgeWalker::Faces {
-  CoverKey toggle = 0;
-  std::uint32_t ending = 0;
-  bool drawn;
-
-  // The counter-clockwise face lies on the right, `twin` on the left.
-  Faces(std::uint32_t face, std::uint32_t twin, const Fans<Word>& fans) {
-    const bool begins = face != FanEdge::kNone && fans.words[face] != fans.not_drawn;
-    const bool ends = twin != FanEdge::kNone && fans.words[twin] != fans.not_drawn;
-    constexpr CoverKey kOne = CoverKey{1} << kCoverCount;
-    drawn = begins || ends;
-    if (ends) {
-      ending = fans.first_id + twin;
-      toggle = begins ? face - twin : 0 - kOne - ending;
-    } else {
-      toggle = kOne + fans.first_id + face;
-    }
-  }
-};
-
 template <typename Word>
 bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
-  Started started{walk_.alive_end + 1};
-  Fans<Word> fans = fans_of_mesh(drawn);
-  for (std::uint16_t vertex = buckets_.sorted(line); vertex != VertexBuckets::kEnd; vertex = buckets_.next(vertex)) {
-    if (vertex - fans.first >= fans.count) [[unlikely]] {
-      enter(vertex);
-      fans = fans_of_mesh(drawn);
-    }
-    const FromVertex from(PackedXY(points_[vertex]), line);
-    const std::uint16_t* const start = fans.starts + (vertex - fans.first);
-    const std::uint32_t count = std::uint32_t{start[1]} - start[0];
-    const FanEdge* edge = fans.edges + start[0];
-    if (static_cast<std::ptrdiff_t>(count) > fans.last - started.out &&
-        !has_room(fans, edge, count, line, fans.last - started.out)) {
+  FanStart& fans = fans_;
+  fans.line = line;
+  fans.not_drawn = drawn.not_drawn;
+  fans.links = buckets_.links();
+  fans.last = reinterpret_cast<std::uintptr_t>(walk_.now + capacity_);
+  fans.begin = fans.out = walk_.alive_end + 1;
+  walk_.alive_end->x = INT32_MIN;
+  for (fans.vertex = buckets_.sorted(line);;) {
+    fans.words = drawn.words + first_id_;
+    start_fans(fans, drawn.words);
+    if (fans.vertex == VertexBuckets::kEnd) break;
+    if (fans.vertex - fans.first >= fans.count) {
+      enter(fans.vertex);
+    } else if (!start_crowded<Word>()) {
       return false;
     }
-    const FanEdge* const end = edge + count;
-    for (std::uint32_t twin = end[-1].face; edge != end; twin = edge->face, ++edge) {
-      const PackedXY bottom(fans.points[edge->to]);
-      if (from.has_ended(bottom)) continue;
-      const Faces<Word> faces(edge->face, twin, fans);
-      if (!faces.drawn) continue;
-      started.out->toggle = faces.toggle;
-      from.run(*started.out, bottom, faces.ending);
-      started.put_out();
-    }
   }
-  end_start(started);
+  end_start({fans.begin, fans.out});
   return true;
 }
 
-// Whether there is room for those of a fan's edges that begin.
+// Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
 template <typename Word>
-bool EdgeWalker::has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count, std::int32_t line,
-                          std::ptrdiff_t room) {
-  const FromVertex from(PackedXY(0), line);
-  const FanEdge* const end = fan + count;
-  for (std::uint32_t twin = end[-1].face; fan != end; twin = fan->face, ++fan) {
-    if (!from.has_ended(PackedXY(fans.points[fan->to])) && Faces<Word>(fan->face, twin, fans).drawn) --room;
-  }
-  return room >= 0;
+bool EdgeWalker::start_crowded() {
+  FanStart& fans = fans_;
+  const std::uintptr_t last = fans.last;
+  std::uintptr_t needed = reinterpret_cast<std::uintptr_t>(fans.out);
+  fans.each_to_start<Word>([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
+  if (needed > last) return false;
+  // That one alone.
+  std::uint16_t& link = buckets_.links()[fans.vertex];
+  const std::uint16_t next = std::exchange(link, VertexBuckets::kEnd);
+  fans.last = UINTPTR_MAX;
+  start_fans(fans, static_cast<const Word*>(fans.words));
+  link = next;
+  fans.last = last;
+  fans.vertex = next;
+  return true;
 }
 
 template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/scene/instance_cursor.hpp"
-#include "core/vsg/line_walk.hpp"
+#include "core/vsg/fan_start.hpp"
 #include "core/vsg/overlap.hpp"
 #include "core/vsg/plane_cache.hpp"
 #include "core/vsg/vertex_buckets.hpp"
@@ -130,25 +130,9 @@ class EdgeWalker {
   [[gnu::noinline]] void move_edges(ActiveEdge* to, ActiveEdge* end);
   bool has_long_column() const;
 
-  // The fans of one instance.
-  struct MeshFans {
-    const std::uint16_t* starts = nullptr;
-    const FanEdge* edges = nullptr;
-    const ScreenXY* points = nullptr;
-    std::uint32_t first_id = 0;  // of the faces
-    std::uint32_t first = 0;     // vertex, as VertexBuckets names it
-    std::uint32_t count = 0;     // of vertices
-  };
   [[gnu::noinline]] void enter(std::uint32_t vertex);
   template <typename Word>
-  struct Fans;
-  template <typename Word>
-  Fans<Word> fans_of_mesh(const DrawnFaces<Word>& drawn) const;
-  template <typename Word>
-  struct Faces;
-  template <typename Word>
-  [[gnu::noinline]] static bool has_room(const Fans<Word>& fans, const FanEdge* fan, std::uint32_t count,
-                                         std::int32_t line, std::ptrdiff_t room);
+  [[gnu::noinline]] bool start_crowded();
   bool run_again(ActiveEdge& edge, std::int32_t line);
   template <typename Sink, typename Plane, typename Again>
   [[gnu::noinline]] WalkStop go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
@@ -165,7 +149,8 @@ class EdgeWalker {
   [[gnu::noinline]] FaceId resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
-  MeshFans mesh_;  // of the vertex that was reached last
+  FanStart fans_{};      // of the mesh that was reached last
+  FaceId first_id_ = 0;  // of its faces
   VertexBuckets buckets_;
   PoolRef<ScreenXY> points_;
   ActiveEdge* pool_ = nullptr;

@@ -11,7 +11,7 @@ namespace spanline {
 inline constexpr std::int32_t kOvershoot = 8;
 
 // Puts an edge in its place among those in [begin, end) that come before `end`; the last of them is to come after it.
-void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge);
+void insert_back(const ActiveEdge* begin, ActiveEdge* end, const ActiveEdge& edge) asm("spanline_insert_back");
 
 // The edges alive and those that begin on the line are two runs in order of x, merged on the way: edges are taken from
 // one as long as the other's next does not come before them. Assembly knows where each member stands.

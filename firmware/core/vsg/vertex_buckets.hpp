@@ -47,11 +47,11 @@ class VertexBuckets {
     std::uint32_t first_;
   };
 
-  // The vertices of a line from left to right, as a list through next(). Those that lie side by side in the mesh have
+  // The vertices of a line from left to right, as a list through links(). Those that lie side by side in the mesh have
   // mostly been filed in this order, so that the list has them reversed, or in the other, for which a hint is kept.
   // Those of the top line stay as they are, since few of what lies above it has edges that reach it.
   std::uint16_t sorted(std::int32_t line);
-  std::uint16_t next(std::uint16_t vertex) const { return links_[vertex]; }
+  std::uint16_t* links() const { return links_.sink(); }
 
  private:
   static constexpr std::uint16_t kNotMarked = 0;

@@ -1,0 +1,183 @@
+// start_fans() in assembly, for cores with Thumb-2.
+#include "core/vsg/fan_start.hpp"
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+
+#include <cstddef>
+
+namespace spanline {
+
+static_assert(offsetof(FanStart, points) == 0 && offsetof(FanStart, out) == 16, "loaded by one instruction");
+static_assert(offsetof(FanStart, vertex) == 8 && offsetof(FanStart, line) == 12);
+static_assert(offsetof(FanStart, not_drawn) == 20 && offsetof(FanStart, last) == 48, "likewise");
+static_assert(offsetof(FanStart, cover) == 24 && offsetof(FanStart, first) == 28 && offsetof(FanStart, count) == 32);
+static_assert(offsetof(FanStart, starts) == 36 && offsetof(FanStart, fans) == 40 && offsetof(FanStart, links) == 44);
+static_assert(offsetof(FanStart, begin) == 52);
+static_assert(sizeof(FanEdge) == 4 && offsetof(FanEdge, face) == 2 && FanEdge::kMostFaces == 0x8000);
+static_assert(sizeof(ActiveEdge) == 16 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kFraction == 20);
+static_assert(kSubpixels == 16 && FromVertex::kShort == 512);
+
+asm(R"(
+    .syntax unified
+    .thumb
+
+@ Throughout: r0 behind the edge at hand, r1 points, r2 words, r8 what the face on its left covers, r9 x of the vertex in
+@ the upper half, r10 from it to the line's centre, r11 that centre, r12 out. The edge: r3 x, r4 dx, r5 toggle, r6 rest.
+@ [sp] the fan's end, x of an edge that runs down from the vertex, the next vertex; from 16 on FanStart from not_drawn to
+@ last; at 48 the FanStart.
+
+@ What face r4 covers, to `to`; to `none` where that is nothing. Takes r3, r5 and lr.
+    .macro covers to, none, load:vararg
+    cmp r4, #0
+    blt \none
+    \load
+    ldrd r3, lr, [sp, #16]          @ not_drawn, cover
+    cmp r5, r3
+    beq \none
+    add \to, r4, lr
+    .endm
+
+    .macro start_fans kind, load:vararg
+    .section .text.spanline_start_fans_\kind, "ax", %progbits
+    .p2align 2
+    .global spanline_start_fans_\kind
+    .type spanline_start_fans_\kind, %function
+    .thumb_func
+spanline_start_fans_\kind:
+    push {r0, r4-r11, lr}
+    add lr, r0, #20
+    ldm lr, {r4-r11}
+    push {r4-r11}
+    ldm r0, {r1-r3, r11, r12}
+    sub sp, #16
+    lsl r11, r11, #4
+    add r11, #8
+
+1:  ldrd r4, r5, [sp, #24]          @ first, count
+    ldrd r6, r7, [sp, #32]          @ starts, fans
+    subs r4, r3, r4
+    cmp r4, r5
+    bhs 70f
+    add r6, r6, r4, lsl #1
+    ldrh r0, [r6]
+    ldrh r5, [r6, #2]
+    ldr r9, [r1, r4, lsl #2]
+    ldrd r4, r6, [sp, #40]          @ links, last
+    add r0, r7, r0, lsl #2
+    add r5, r7, r5, lsl #2
+    subs r7, r5, r0
+    add r7, r12, r7, lsl #2
+    cmp r7, r6
+    bhi 70f
+    ldrh r4, [r4, r3, lsl #1]
+    sub r10, r11, r9, asr #16
+    lsl r9, r9, #16
+    add r7, r9, #1 << 19
+    subs r7, #1
+    strd r5, r7, [sp]
+    str r4, [sp, #8]
+    ldrh r3, [r0], #4
+    ldr r7, [r1, r3, lsl #2]
+    rsbs r6, r11, r7, asr #16
+    ble 3f
+    ldrsh r4, [r5, #-2]
+    b 4f
+
+@ Edges that do not reach the line.
+2:  mov r5, lr
+3:  cmp r0, r5
+    beq 60f
+    ldrh r3, [r0], #4
+    ldr r7, [r1, r3, lsl #2]
+    rsbs r6, r11, r7, asr #16
+    ble 3b
+    ldrsh r4, [r0, #-6]
+4:  covers r8, 51f, \load
+
+@ Edges that do.
+5:  ldrsh r4, [r0, #-2]
+    covers r4, 52f, \load
+8:  subs r5, r4, r8
+    beq 50f
+    uxth lr, r8
+    mov r8, r4
+    rsb r3, r9, r7, lsl #16         @ across
+    add r7, r6, r10                 @ down
+    eor r4, r3, r3, asr #31
+    orr r4, r7, r4, lsr #17
+    cmp r4, #512
+    bhs 30f
+    lsls r3, r3, #4
+    sdiv r4, r3, r7
+    subs r6, #1
+    asrs r6, r6, #4
+    subs r4, #1
+    mul r3, r4, r10
+    add r6, lr, r6, lsl #17
+    ldrd lr, r7, [sp]
+    add r3, r7, r3, asr #4
+6:  ldr r7, [r12, #-16]
+    cmp r3, r7
+    blt 40f
+    stm r12!, {r3-r6}
+7:  cmp r0, lr
+    beq 60f
+    ldrh r3, [r0], #4
+    ldr r7, [r1, r3, lsl #2]
+    rsbs r6, r11, r7, asr #16
+    bgt 5b
+    b 2b
+
+60: ldr r3, [sp, #8]
+    b 1b
+
+70: ldr r4, [sp, #48]
+    str r3, [r4, #8]
+    str r12, [r4, #16]
+    add sp, #52
+    pop {r4-r11, pc}
+
+51: mov r8, #0
+    b 5b
+52: mov r4, #0
+    b 8b
+50: ldr lr, [sp]                    @ covers nothing on either side
+    b 7b
+
+30: ldrh r3, [r0, #-4]
+    ldr r3, [r1, r3, lsl #2]
+    str r3, [r12]
+    strd r5, lr, [r12, #8]
+    push {r0-r2, r12}
+    mov r0, r12
+    sub r1, r11, r10
+    lsls r1, r1, #16
+    orr r1, r1, r9, lsr #16
+    mov r2, r11
+    bl spanline_run_far
+    pop {r0-r2, r12}
+    ldm r12, {r3-r6}
+    ldr lr, [sp]
+    b 6b
+
+40: push {r0-r6, r12}
+    ldr r0, [sp, #80]
+    ldr r0, [r0, #52]
+    mov r1, r12
+    add r2, sp, #12
+    bl spanline_insert_back
+    pop {r0-r6, r12}
+    add r12, #16
+    ldr lr, [sp]
+    b 7b
+    .size spanline_start_fans_\kind, . - spanline_start_fans_\kind
+    .endm
+
+    start_fans words, ldrh r5, [r2, r4, lsl #1]
+    start_fans bytes, ldrb r5, [r2, r4]
+    .text
+)");
+
+}  // namespace spanline
+
+#endif
