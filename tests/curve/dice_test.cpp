@@ -158,9 +158,9 @@ TEST(Dice, TheTeapotTakesAsManyFacetsAsItsTolerance) {
   RecordProperty("facets_at_one", at_one);
   RecordProperty("facets_at_half", at_half);
   RecordProperty("facets_at_quarter", at_quarter);
-  EXPECT_LT(at_one, 1000);
-  EXPECT_LT(at_half, 1800);
-  EXPECT_LT(at_quarter, 3500);
+  EXPECT_LT(at_one, 650);
+  EXPECT_LT(at_half, 1200);
+  EXPECT_LT(at_quarter, 2300);
 }
 
 struct OnScreen {
@@ -188,9 +188,9 @@ bool on_screen(OnScreen p) {
   return std::fabs(p.x) <= kPatchScreen.width / 2.0 && std::fabs(p.y) <= kPatchScreen.height / 2.0;
 }
 
-// The farthest that any visible place of a curve is from its chord; 0 where the near plane or kMaxSteps limits it.
-double chord_error(const ClipPoint (&p)[4], const PatchView& view) {
-  const std::uint32_t steps = curve_steps(p, view.dice);
+// The farthest that any visible place of a curve is from its chord, as a part of the tolerance; 0 where the near plane
+// or kMaxSteps limits it.
+double chord_error(const ClipPoint (&p)[4], std::uint32_t steps, const PatchView& view) {
   if (steps == kMaxSteps) return 0;
   for (const ClipPoint& point : p) {
     if (point.w < view.dice.near_w) return 0;
@@ -205,6 +205,29 @@ double chord_error(const ClipPoint (&p)[4], const PatchView& view) {
       if (on_screen(at)) worst = std::max(worst, distance_to_chord(at, a, b));
     }
   }
+  return worst / (view.dice.tolerance / 16.0);
+}
+
+// The worst of the curves that run through a patch from its first to its last row, or column, in the patch's own steps.
+double worst_inside(const ClipPatch& patch, const PatchView& view) {
+  constexpr int kCurves = 12;
+  const PatchDicer dicer(patch, view.dice);
+  double worst = 0;
+  for (int k = 0; k <= kCurves; ++k) {
+    const double t = static_cast<double>(k) / kCurves, s = 1 - t;
+    const double weight[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+    ClipPoint along[4], across[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto mean = [&](std::int32_t ClipPoint::*axis, bool rows) {
+        double sum = 0;
+        for (std::size_t j = 0; j < 4; ++j) sum += weight[j] * (rows ? patch.at[j][i] : patch.at[i][j]).*axis;
+        return static_cast<std::int32_t>(std::lround(sum));
+      };
+      along[i] = {mean(&ClipPoint::x, true), mean(&ClipPoint::y, true), mean(&ClipPoint::w, true)};
+      across[i] = {mean(&ClipPoint::x, false), mean(&ClipPoint::y, false), mean(&ClipPoint::w, false)};
+    }
+    worst = std::max({worst, chord_error(along, dicer.columns(), view), chord_error(across, dicer.rows(), view)});
+  }
   return worst;
 }
 
@@ -217,7 +240,7 @@ TEST(Dice, ChordsAreWithinTheTolerance) {
     for (const PatchPoints& points : patches) {
       for (const SidePoints& side : sides_of(points)) {
         const ClipPoint p[4] = {view.matrix(side[0]), view.matrix(side[1]), view.matrix(side[2]), view.matrix(side[3])};
-        const double error = chord_error(p, view) / (tolerance / 16.0);
+        const double error = chord_error(p, curve_steps(p, view.dice), view);
         ASSERT_LE(error, 1) << "view " << seed;
         worst = std::max(worst, error);
       }
@@ -225,6 +248,23 @@ TEST(Dice, ChordsAreWithinTheTolerance) {
   }
   RecordProperty("worst_over_tolerance", std::to_string(worst));
   EXPECT_GT(worst, 0.7);  // no more steps than are needed
+}
+
+TEST(Dice, SoAreThoseInsideOfPatches) {
+  const auto teapot = teapot_patches();
+  double worst = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const PatchView view = random_view(seed, any_distance(seed), seed % 2 == 0 ? 8 : 4);
+    for (const auto& patches : {teapot, random_patches(seed, 2)}) {
+      for (const PatchPoints& points : patches) {
+        const double error = worst_inside(view.patch(points), view);
+        ASSERT_LE(error, 1) << "view " << seed;
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  RecordProperty("worst_over_tolerance", std::to_string(worst));
+  EXPECT_GT(worst, 0.7);
 }
 
 TEST(Dice, CollapsedPatchesGiveWhatIsLeft) {

@@ -3,33 +3,71 @@
 namespace spanline {
 namespace {
 
-using Curve = ClipPoint[4];
-
-void take_column(const ClipPatch& patch, int j, Curve& column) {
-  for (int i = 0; i < 4; ++i) column[i] = patch.at[i][j];
+// The number of steps that all curves between four control curves of a patch can do with: the first and the last of
+// them, and those that halving the patch between them leaves, which are nearer to it than the inner two.
+std::uint32_t steps_between(CurveBend (&c)[4], const DiceView& view) {
+  Bend most = c[0].bend();
+  most.widen(c[3].bend());
+  for (int curves = 3; curves > 0; --curves) {  // de Casteljau
+    for (int i = 0; i < curves; ++i) c[i].go_halfway(c[i + 1]);
+    most.widen(c[0].bend());
+    if (curves > 1) most.widen(c[curves - 1].bend());
+  }
+  return most.steps(view);
 }
 
-std::uint32_t most(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
+// Either direction of a patch.
+struct Direction {
+  const ClipPatch& patch;
+  const ScreenPlace* places;
+  const PlaceBounds& bounds;
+  int stride, next;  // from point to point of a curve, and from curve to curve
+  CurveReach reach[4];
+
+  Direction(const ClipPatch& p, const ScreenPlace* place, const PlaceBounds& all, int from_point, int from_curve)
+      : patch(p), places(place), bounds(all), stride(from_point), next(from_curve) {
+    for (int i = 0; i < 4; ++i) reach[i] = CurveReach(first_of(i), stride);
+  }
+  const ClipPoint* first_of(int curve) const { return &patch.at[0][0] + curve * next; }
+  CurveReach whole() const {
+    CurveReach all = reach[0];
+    for (const CurveReach& r : reach) all.widen(r);
+    return all;
+  }
+  // Of the first or the last curve, by itself: as curve_steps().
+  PatchSide side(int curve, const DiceView& view) const {
+    const PlaceBounds own(places + curve * next, 4, stride, view);
+    const CurveReach& r = reach[curve];
+    const std::uint32_t steps = CurveBend(first_of(curve), stride, r, own, r.beyond_27_bits(), view).bend().steps(view);
+    return {steps, r.scale(steps)};
+  }
+  std::uint32_t steps(int down, const DiceView& view) const {
+    const auto bend = [&](int i) { return CurveBend(first_of(i), stride, reach[i], bounds, down, view); };
+    CurveBend bends[4] = {bend(0), bend(1), bend(2), bend(3)};
+    return steps_between(bends, view);
+  }
+};
+
+std::uint32_t most(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const std::uint32_t ab = a > b ? a : b;
+  return ab > c ? ab : c;
+}
 
 }  // namespace
 
 PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&patch) {
-  own_first_ = curve_steps(patch.at[0], view);
-  own_last_ = curve_steps(patch.at[3], view);
-  columns_ = most(most(own_first_, own_last_), most(curve_steps(patch.at[1], view), curve_steps(patch.at[2], view)));
-
-  rows_ = 1;
-  CurveReach whole;
-  for (int j = 0; j < 4; ++j) {
-    Curve column;
-    take_column(patch, j, column);
-    const std::uint32_t own = curve_steps(column, view);
-    const CurveReach reach(column);
-    rows_ = most(rows_, own);
-    whole.widen(reach);
-    if (j == 0) left_ = {own, reach.scale(own)};
-    if (j == 3) right_ = {own, reach.scale(own)};
-  }
+  ScreenPlace places[16];
+  for (int i = 0; i < 16; ++i) places[i] = ScreenPlace(patch.at[i / 4][i % 4], view);
+  const PlaceBounds bounds(places, 16, 1, view);
+  const Direction along(patch, places, bounds, 1, 4), across(patch, places, bounds, 4, 1);
+  const CurveReach whole = along.whole();
+  const int down = whole.beyond_27_bits();
+  first_ = along.side(0, view);
+  last_ = along.side(3, view);
+  left_ = across.side(0, view);
+  right_ = across.side(3, view);
+  columns_ = most(along.steps(down, view), first_.own, last_.own);
+  rows_ = most(across.steps(down, view), left_.own, right_.own);
   inner_ = {whole.scale(columns_), whole.scale(rows_)};
 }
 
@@ -40,18 +78,50 @@ GridRow PatchDicer::next_row() {
   const auto column = [&](const CurveParameter& at, int j, const CurveScale& scale) {
     return at.of(p[0][j], p[1][j], p[2][j], p[3][j], scale);
   };
-  const auto side = [&](const Side& s, int j) {
-    if (s.own == rows_) return column(here, j, s.scale);
-    return column(CurveParameter(side_vertex(row_, s.own, rows_), s.own), j, s.scale);
-  };
   GridRow row;
   for (int j = 0; j < 4; ++j) row.control[j] = column(here, j, inner_.across);
+  const auto side = [&](const PatchSide& s, int j) {
+    if (s.own != rows_) return column(CurveParameter(side_vertex(row_, s.own, rows_), s.own), j, s.scale);
+    return s.scale == inner_.across ? row.control[j] : column(here, j, s.scale);
+  };
   row.left = side(left_, 0);
   row.right = side(right_, 3);
-  if (row_ == 0) row.own = own_first_;
-  if (row_ == rows_) row.own = own_last_;
+  if (row_ == 0) row.own = first_;
+  if (row_ == rows_) row.own = last_;
   ++row_;
   return row;
+}
+
+namespace {
+
+// The points of a curve but its ends, a coordinate at a time, so that what is stepped stays in registers.
+template <typename Int>
+void step_between(const ClipPoint (&p)[4], const PatchSide& side, ClipPoint* out) {
+  const typename ScaledAxis<Int>::Scale scale{kCubes[side.own], side.scale.down};
+  for (std::int32_t ClipPoint::*const axis : {&ClipPoint::x, &ClipPoint::y, &ClipPoint::w}) {
+    ScaledAxis<Int> walk(p[0].*axis, p[1].*axis, p[2].*axis, p[3].*axis, side.own, side.scale.down);
+    for (std::uint32_t i = 1; i < side.own; ++i) {
+      walk.step();
+      out[i].*axis = walk.at(scale);
+    }
+  }
+}
+
+}  // namespace
+
+void PatchDicer::step_off(const GridRow& row, ClipPoint* out) const {
+  const bool is_side = row.own.own != 0;
+  const PatchSide side = is_side ? row.own : PatchSide{columns_, inner_.along};
+  out[0] = is_side ? row.control[0] : row.left;
+  out[side.own] = is_side ? row.control[3] : row.right;
+  if (side.scale.is_short) {
+    step_between<std::int32_t>(row.control, side, out);
+  } else {
+    step_between<std::int64_t>(row.control, side, out);
+  }
+  if (side.own == columns_) return;
+  // In place from the last one on: what is taken stands before where it goes.
+  for (std::uint32_t i = columns_; i > 0; --i) out[i] = out[side_vertex(i, side.own, columns_)];
 }
 
 }  // namespace spanline

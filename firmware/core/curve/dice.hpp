@@ -20,11 +20,17 @@ struct ClipPatch {
   ClipPoint at[4][4];
 };
 
+// How a side of a patch is stepped off.
+struct PatchSide {
+  std::uint32_t own = 0;  // steps
+  CurveScale scale;       // at these
+};
+
 // A row of a patch's grid before it is stepped off.
 struct GridRow {
   ClipPoint control[4];
   ClipPoint left, right;  // its first and last vertex
-  std::uint32_t own = 0;  // steps of the patch's own first or last row, where this is one; 0: an inner row
+  PatchSide own;          // of the patch's own first or last row, where this is one; no steps: an inner row
 };
 
 // Steps a patch off as a grid of vertices, row by row. Its rows and columns have as many steps as the most curved of
@@ -42,12 +48,14 @@ class PatchDicer {
   // The next of the rows() + 1 rows. All its vertices lie in the hull of its control points, left and right.
   GridRow next_row();
 
-  // Hands the row's columns() + 1 vertices in order to `vertex(const ClipPoint&)`.
+  // Puts the row's columns() + 1 vertices in order to `out`.
+  void step_off(const GridRow& row, ClipPoint* out) const;
+
+  // Hands them to `vertex(const ClipPoint&)`, one by one.
   template <typename Vertex>
   void step_off(const GridRow& row, Vertex&& vertex) const {
-    if (row.own != 0) {
-      with_walk(row.control, row.own, CurveReach(row.control).scale(row.own),
-                [&](auto& walk) { step_side_off(walk, columns_, vertex); });
+    if (row.own.own != 0) {
+      with_walk(row.control, row.own.own, row.own.scale, [&](auto& walk) { step_side_off(walk, columns_, vertex); });
       return;
     }
     vertex(row.left);
@@ -63,11 +71,8 @@ class PatchDicer {
  private:
   const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
-  std::uint32_t own_first_, own_last_;  // steps of the sides along u
-  struct Side {
-    std::uint32_t own;  // steps
-    CurveScale scale;   // at these
-  } left_, right_;      // sides along v
+  PatchSide first_, last_;  // sides along u
+  PatchSide left_, right_;  // sides along v
   struct Inner {
     CurveScale along, across;
   } inner_;  // of rows and columns that are no sides
@@ -102,8 +107,7 @@ void dice(const ClipPatch& patch, const DiceView& view, Slice<ClipPoint> above, 
   PatchDicer dicer(patch, view);
   const auto fill = [&](Slice<ClipPoint> row) {
     CHECK(row.size() > dicer.columns());
-    std::uint32_t i = 0;
-    dicer.step_off(dicer.next_row(), [&](const ClipPoint& p) { row[i++] = p; });
+    dicer.step_off(dicer.next_row(), row.data());
   };
   fill(above);
   for (std::uint32_t row = 0; row < dicer.rows(); ++row) {

@@ -4,67 +4,9 @@
 #include <cstdint>
 
 #include "core/base/check.hpp"
-#include "core/curve/scaled.hpp"
-#include "core/geom/projection.hpp"
+#include "core/curve/steps.hpp"
 
 namespace spanline {
-
-// What the number of steps depends on, beside the curve's own four control points. All patches that share a boundary
-// must be given the same.
-struct DiceView {
-  std::int32_t near_w;      // Q16.16
-  std::int32_t reach;       // Q16.16 guard bands: half the longer side of the screen
-  std::uint32_t tolerance;  // 1/16 px that a chord may be off its curve; at least 1
-
-  DiceView(const Projection& projection, const Screen& screen, std::uint32_t tolerance_16ths)
-      : near_w(projection.near_w),
-        reach((screen.width > screen.height ? screen.width : screen.height) * (0x10000 / 2 / kGuardPx)),
-        tolerance(tolerance_16ths) {}
-};
-
-// How many equal steps in t bring the curve's chords on the screen within the tolerance: 1 … kMaxSteps. The same for
-// the curve run backwards.
-std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view);
-
-// How a curve's points are had: in 32 bits, from control points without their last `down` bits, or in 64 from all bits.
-struct CurveScale {
-  bool is_short = false;
-  int down = 0;
-};
-
-// What that depends on: where the control points of a curve lie.
-class CurveReach {
- public:
-  CurveReach() = default;
-  CurveReach(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3) {
-    for (const ClipPoint* p : {&p0, &p1, &p2, &p3}) {
-      any_ |= magnitude_bits(p->x) | magnitude_bits(p->y) | magnitude_bits(p->w);
-      if (p->w < nearest_) nearest_ = p->w;
-    }
-  }
-  explicit CurveReach(const ClipPoint (&p)[4]) : CurveReach(p[0], p[1], p[2], p[3]) {}
-  // Of both curves.
-  void widen(const CurveReach& other) {
-    any_ |= other.any_;
-    if (other.nearest_ < nearest_) nearest_ = other.nearest_;
-  }
-
-  // For steps of 1 / steps. Points that are off by the bits given up and half as much more are so by less than a
-  // sixteenth of a pixel on the screen.
-  CurveScale scale(std::uint32_t steps) const {
-    constexpr int kFinest = 16;
-    static_assert(3 * kGuardPx * kSubpixels <= 1 << kFinest, "x or y, and w are off");
-    const int down = static_cast<int>(std::bit_width(any_)) + kCubes[steps].shift - 29;  // n^3 <= 2^(shift + 2)
-    if (nearest_ < 1 << kFinest || (down > 0 && (nearest_ >> kFinest) >> down == 0)) return {};
-    return {true, down > 0 ? down : 0};
-  }
-
- private:
-  static std::uint32_t magnitude_bits(std::int32_t v) { return static_cast<std::uint32_t>(v ^ (v >> 31)); }
-
-  std::uint32_t any_ = 0;  // all bits of the coordinates' magnitudes
-  std::int32_t nearest_ = INT32_MAX;
-};
 
 // t = index / steps: of the point there of any number of curves. n^3 * B(i / n) is a sum with weights that add up to
 // n^3.

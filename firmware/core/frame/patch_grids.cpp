@@ -1,5 +1,7 @@
 #include "core/frame/patch_grids.hpp"
 
+#include <new>
+
 #include "core/shade/flat_light.hpp"
 
 namespace spanline {
@@ -56,12 +58,17 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
   const std::uint32_t stride = job.columns() + 1;
   if (at + stride > v_.capacity() + 1u) return false;
   if (at + stride - 1 > most_) most_ = at + stride - 1;
+  // The row's points stand where their vertices come to stand.
+  static_assert(sizeof(ClipPoint) == sizeof(GridVertex) && alignof(ClipPoint) == alignof(GridVertex));
+  GridVertex* const vertices = &v_[at];
+  for (std::uint32_t i = stride; i-- > 0;) new (vertices + i) ClipPoint;
+  job.dicer->step_off(row, std::launder(reinterpret_cast<ClipPoint*>(vertices)));
   const Projection& projection = job.reader.projection();
-  GridVertex* out = &v_[at];
-  job.dicer->step_off(row, [&](const ClipPoint& p) {
-    const ScreenPoint on_screen = projection.clamped(p);
-    *out++ = {0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, first_row};
-  });
+  for (GridVertex* out = vertices; out != vertices + stride; ++out) {
+    const ClipPoint p = *std::launder(reinterpret_cast<const ClipPoint*>(out));
+    const ScreenPoint on_screen = job.well_inside ? projection(p) : projection.clamped(p);
+    new (out) GridVertex{0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, first_row};
+  }
   return true;
 }
 

@@ -34,8 +34,12 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
   for (std::uint32_t i = 0; i < 16; ++i) {
     ClipPoint& p = patch.at[i / 4][i % 4];
     ClipPoint inside = p = reader.control_point(i);
-    const std::uint8_t code = projection.inside(p) ? std::uint8_t{0} : projection.outcode(p);
-    if (code != 0) inside = projection.held(p);
+    std::uint8_t code = 0;
+    if (!projection.well_inside(p)) {
+      well_inside = false;
+      code = projection.outcode(p);
+      if (code != 0) inside = projection.held(p);
+    }
     outside_any |= code;
     outside_all &= code;
     bounds.widen_hull(at[i / 4][i % 4] = projection(inside).at);

@@ -86,10 +86,11 @@ struct PatchJob {
   ClipPatch patch;
   PatchShape shape;
   ScreenBounds bounds;
-  bool behind = false;   // some control point lies before the near plane: its bounds say nothing
-  bool outside = false;  // some control point lies outside of some plane
-  bool nothing = false;  // nothing of the patch can be seen
-  bool whole = false;    // all of it lies in the window
+  bool behind = false;      // some control point lies before the near plane: its bounds say nothing
+  bool outside = false;     // some control point lies outside of some plane
+  bool well_inside = true;  // Projection::well_inside() is true of all control points, and of what lies between them
+  bool nothing = false;     // nothing of the patch can be seen
+  bool whole = false;       // all of it lies in the window
   PatchDicer* dicer = nullptr;
   const PatchTangents* tangents = nullptr;  // at the corners of facets where look.gouraud, else made for their middles
 
