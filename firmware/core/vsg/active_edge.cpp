@@ -26,8 +26,21 @@ EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line) {
   return run;
 }
 
+constinit const std::array<std::uint32_t, SlopeByTable::kTallest> SlopeByTable::kReciprocals = [] {
+  std::array<std::uint32_t, kTallest> table{};
+  for (std::uint32_t dy = 1; dy < kTallest; ++dy) table[dy] = reciprocal(dy);
+  return table;
+}();
+
 static_assert(kSubpixels == 16);
 void FromVertex::run_far(ActiveEdge& edge, std::uint32_t from, std::int32_t centre) {
+  if constexpr (!kDivides) {  // one divide is less than those below
+    const FromVertex vertex(PackedXY(from), centre >> 4);
+    const PackedXY end(static_cast<std::uint32_t>(edge.x));
+    if (is_short<true>((end.word << 16) - vertex.x_, end.y() - PackedXY(from).y())) {
+      return vertex.run<true>(edge, end, edge.rest);
+    }
+  }
   const ScreenXY top = PackedXY(from).unpacked(), bottom = PackedXY(static_cast<std::uint32_t>(edge.x)).unpacked();
   const EdgeRun run = start_run(top, bottom, centre >> 4);
   edge.x = run.x;

@@ -67,11 +67,12 @@ static_assert(65536 / 32768 >= 2, "and for one line at any height that the guard
 // The run of an edge from `line`, one of its own lines, on; for edges of any height and slope.
 EdgeRun start_run(ScreenXY top, ScreenXY bottom, std::int32_t line);
 
-// The slope of an edge of the kind below by a table, where a divide costs more. It is cut off by more than a unit,
-// which is no matter for edges of few lines.
+// The slope of a short edge by a table, where a divide costs more. It is cut off by more than a unit, which is no
+// matter for edges of few lines.
 class SlopeByTable {
  public:
-  static constexpr std::int32_t kTallest = 240;  // dy of these is less: above, x falls behind too far
+  static constexpr std::int32_t kTallest = 256;  // dy, and a quarter of dx, of these is less
+  static constexpr int kShiftBits = 8;
 
   static std::int32_t of(std::int32_t dx, std::int32_t dy) {
     const std::uint32_t entry = kReciprocals[static_cast<std::uint32_t>(dy)];
@@ -82,26 +83,22 @@ class SlopeByTable {
   // Whether x, behind by so much a line and a unit at the start, stays in the exact column.
   static constexpr bool stays_exact() {
     for (std::uint32_t dy = 1; dy < kTallest; ++dy) {
-      const std::uint32_t a_line = 2047 / std::bit_floor(dy) + 2;
+      const std::uint32_t a_line = 4 * kTallest / std::bit_floor(dy) + 2;
       if (a_line * (dy / kSubpixels + 1) + 1 >= 65536 / dy - 1) return false;
     }
     return true;
   }
 
  private:
-  static constexpr int kShiftBits = 4;
-
   // 2^(20 + shift) / dy, with the shift that leaves it 20 bits or 2^20, above the shift.
-  static constexpr auto kReciprocals = [] {
-    std::array<std::uint32_t, kTallest> table{};
-    for (std::uint32_t dy = 1; dy < kTallest; ++dy) {
-      const auto shift = static_cast<std::uint32_t>(std::bit_width(dy) - 1);
-      table[dy] = ((1u << (20 + shift)) / dy) << kShiftBits | shift;
-    }
-    return table;
-  }();
+  static const std::array<std::uint32_t, kTallest> kReciprocals asm("spanline_reciprocals");
+  static constexpr std::uint32_t reciprocal(std::uint32_t dy) {
+    const auto shift = static_cast<std::uint32_t>(std::bit_width(dy) - 1);
+    return ((1u << (20 + shift)) / dy) << kShiftBits | shift;
+  }
 };
 static_assert(SlopeByTable::stays_exact());
+
 // The runs of the edges that begin in one vertex.
 class FromVertex {
  public:
@@ -111,7 +108,7 @@ class FromVertex {
   // Whether an edge to there has ended before the line.
   bool has_ended(PackedXY bottom) const { return bottom.y() <= centre_; }
 
-  static constexpr std::int32_t kShort = 512;  // dy, and half dx, of edges that begin at little cost
+  static constexpr std::int32_t kShort = 512;  // dy, and half of dx, of edges that one divide begins
 
   // Makes an edge to `bottom` what it is on the line; `ending`: the face that ends. One divide, or none, where the edge
   // is short.
@@ -120,15 +117,13 @@ class FromVertex {
     const std::int32_t below = bottom.y() - centre_;
     const std::uint32_t across = (bottom.word << 16) - x_;  // dx, in the upper half: |dx| <= 2^15, which is far
     const std::int32_t dy = below + before_;
-    const std::uint32_t wide = across ^ static_cast<std::uint32_t>(static_cast<std::int32_t>(across) >> 31);
-    if ((wide >> 17 | static_cast<std::uint32_t>(dy)) >= std::uint32_t{kShort}) [[unlikely]] {
+    if (!is_short<kDivide>(across, dy)) [[unlikely]] {
       edge.x = static_cast<std::int32_t>(bottom.word);
       edge.rest = ending;
       return run_far(edge, static_cast<std::uint32_t>(centre_ - before_) << 16 | x_ >> 16, centre_);
     }
     const auto dx = static_cast<std::int32_t>(across) >> 16;
-    const std::int32_t slope = kDivide || dy >= SlopeByTable::kTallest ? static_cast<std::int32_t>(across << 4) / dy - 1
-                                                                       : SlopeByTable::of(dx, dy);
+    const std::int32_t slope = kDivide ? static_cast<std::int32_t>(across << 4) / dy - 1 : SlopeByTable::of(dx, dy);
     static_assert(1024 * std::int64_t{(1 << 20) + 1} <= INT32_MAX, "dx times a reciprocal");
     // Before < dy: the product stays within dx.
     edge.x = static_cast<std::int32_t>(x_ + static_cast<std::uint32_t>((slope * before_) >> 4)) + kLessHalf;
@@ -139,6 +134,15 @@ class FromVertex {
  private:
   // From a point to ActiveEdge::x: half a pixel less, a pixel less a unit more.
   static constexpr std::int32_t kLessHalf = (1 << ActiveEdge::kFraction) / 2 - 1;
+
+  template <bool kDivide>
+  static bool is_short(std::uint32_t across, std::int32_t dy) {
+    const std::uint32_t wide = across ^ static_cast<std::uint32_t>(static_cast<std::int32_t>(across) >> 31);
+    const auto tall = static_cast<std::uint32_t>(dy);
+    return kDivide ? (wide >> 17 | tall) < std::uint32_t{kShort}
+                   : (wide >> 18 | tall) < std::uint32_t{SlopeByTable::kTallest};
+  }
+  static_assert(kShort / 2 == SlopeByTable::kTallest, "dx is less than 64 px");
 
   // edge.x: where it ends, edge.rest: the face that does. Both points are PackedXY. By values, so that nothing here
   // needs a place in memory.

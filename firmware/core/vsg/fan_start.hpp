@@ -70,7 +70,7 @@ void start_fans_plain(FanStart& start) {
   }
 }
 
-#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+#if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.
 void start_fans(FanStart& start, const std::uint16_t* words) asm("spanline_start_fans_words");
 void start_fans(FanStart& start, const std::uint8_t* words) asm("spanline_start_fans_bytes");

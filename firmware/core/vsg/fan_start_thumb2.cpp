@@ -1,21 +1,11 @@
 // start_fans() in assembly, for cores with Thumb-2.
-#include "core/vsg/fan_start.hpp"
+#include "core/vsg/fan_start_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
 
-#include <cstddef>
-
 namespace spanline {
 
-static_assert(offsetof(FanStart, points) == 0 && offsetof(FanStart, out) == 16, "loaded by one instruction");
-static_assert(offsetof(FanStart, vertex) == 8 && offsetof(FanStart, line) == 12);
-static_assert(offsetof(FanStart, not_drawn) == 20 && offsetof(FanStart, last) == 48, "likewise");
-static_assert(offsetof(FanStart, cover) == 24 && offsetof(FanStart, first) == 28 && offsetof(FanStart, count) == 32);
-static_assert(offsetof(FanStart, starts) == 36 && offsetof(FanStart, fans) == 40 && offsetof(FanStart, links) == 44);
-static_assert(offsetof(FanStart, begin) == 52);
-static_assert(sizeof(FanEdge) == 4 && offsetof(FanEdge, face) == 2 && FanEdge::kMostFaces == 0x8000);
-static_assert(sizeof(ActiveEdge) == 16 && ActiveEdge::kOneLine == 1u << 17 && ActiveEdge::kFraction == 20);
-static_assert(kSubpixels == 16 && FromVertex::kShort == 512);
+static_assert(fan_start_layout_holds<FanStart>());
 
 asm(R"(
     .syntax unified
