@@ -54,6 +54,7 @@ void EdgeWalker::move_edges(ActiveEdge* to, ActiveEdge* end) {
 
 // Fewer of those alive lie in one column where has_long_column() says no.
 static constexpr std::ptrdiff_t kColumnStep = 4, kShortColumn = 3 * kColumnStep;
+static constexpr std::ptrdiff_t kTwoSentinels = 2;
 
 bool EdgeWalker::has_long_column() const {
   for (const ActiveEdge* edge = walk_.now; walk_.alive_end - edge > 2 * kColumnStep; edge += kColumnStep) {
@@ -75,6 +76,17 @@ bool EdgeWalker::make_way() {
   ActiveEdge* end = walk_.alive_end + 1;
   while (end->x != ActiveEdge::kNever) ++end;
   const std::ptrdiff_t alive = walk_.alive_end - walk_.now, begun = end - walk_.alive_end - 1;
+  // Where there was room for as many twice on a line before, the next ones mostly need not overwrite any.
+  if (2 * (alive + begun) + kTwoSentinels <= static_cast<std::ptrdiff_t>(most_)) {
+    if (walk_.now - pool_ >= alive + begun) {
+      walk_.begin = pool_;
+      return true;
+    }
+    if (pool_ + capacity_ - end >= alive + begun + kTwoSentinels) {
+      walk_.begin = end + 1;
+      return true;
+    }
+  }
   const std::ptrdiff_t at_zero = left_of_screen(walk_.now) + left_of_screen(walk_.alive_end + 1);
   std::ptrdiff_t gap = begun + kShortColumn;
   if (at_zero > gap) gap = at_zero;
