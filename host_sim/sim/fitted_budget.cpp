@@ -153,7 +153,7 @@ std::size_t whole_bytes(const Budget& b) {
 
 // What BandPools and SmoothPools take of it whatever its band_vertices and looks are.
 std::size_t band_bytes(const Budget& b) {
-  const std::size_t smooth = b.gouraud ? (b.tables + 1u) * sizeof(ColorTable) : 0;
+  const std::size_t smooth = b.gouraud ? (b.tables + 1u) * sizeof(ColorTable) + LookChains::heads_for(b.facets) : 1;
   return (BitPool::words_for(b.facets) + 1u) * sizeof(std::uint32_t) + (b.vertices + 1u) + (b.band_lines + 1u) +
          (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * sizeof(CachedPlane) + smooth + kPadding;
 }
@@ -173,16 +173,18 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
     if (!needed) return std::nullopt;
     raise(budget.edges, needed->max_edges);
   }
-  budget.planes = std::min<std::uint16_t>(fitted.planes, 7);
+  const std::size_t few_planes = std::bit_floor(budget.edges / 11u + 1) - 1;
+  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>({few_planes, fitted.planes, 7}));
   budget.band_lines = std::min<std::uint16_t>(fitted.height, 64);
-  const std::size_t look = fitted.gouraud ? sizeof(FaceLook) : sizeof(FaceColor);
+  const std::size_t look = fitted.gouraud ? sizeof(FaceLook) + 1 : sizeof(FaceColor);
   const std::size_t taken = band_bytes(budget) + sizeof(BandVertex);
   constexpr std::uint32_t kFewestVertices = 4;
   if (taken + kFewestVertices * sizeof(BandVertex) + look > bytes) return std::nullopt;
   const std::size_t left = bytes - taken;
-  // A look is made anew more often than a vertex, and takes longer.
+  // A look is made anew more often than a vertex, and takes longer: there are as many as faces on a line, or nearly so.
   const std::size_t most_looks = left * (fitted.gouraud ? 7 : 4) / 8 / look;
-  const std::size_t looks = std::bit_floor(std::clamp<std::size_t>(most_looks, 1, fitted.gouraud ? 128 : 256));
+  const std::size_t looks = fitted.gouraud ? std::clamp<std::size_t>(most_looks, 2, budget.edges / 2u + 2)
+                                           : std::bit_floor(std::clamp<std::size_t>(most_looks, 1, 256));
   budget.looks = static_cast<std::uint16_t>(looks - 1);
   budget.band_vertices = static_cast<std::uint16_t>(
       std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost));

@@ -88,9 +88,15 @@ void HostMemory::take_segment_pools(std::uint16_t band_lines, const PoolSizes& s
 
 void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
   if (sizes.band_vertices != 0) {
-    storage_.bands = {take<std::uint32_t>(static_cast<std::uint16_t>(BitPool::words_for(sizes.facets))),
-                      take<std::uint8_t>(sizes.vertices), take<BandVertex>(sizes.band_vertices),
-                      take<std::uint8_t>(lines), take<FaceColor>(sizes.gouraud ? kNoBlocks : sizes.looks)};
+    storage_.bands = {
+        take<std::uint32_t>(static_cast<std::uint16_t>(BitPool::words_for(sizes.facets))),
+        take<std::uint8_t>(sizes.vertices),
+        take<BandVertex>(sizes.band_vertices),
+        take<std::uint8_t>(lines),
+        take<FaceColor>(sizes.gouraud ? kNoBlocks : sizes.looks),
+        take<std::uint8_t>(sizes.gouraud ? static_cast<std::uint16_t>(LookChains::heads_for(sizes.facets) - 1)
+                                         : kNoBlocks),
+        take<std::uint8_t>(sizes.gouraud ? sizes.looks : kNoBlocks)};
   }
   EdgeStorage& walker = storage_.mesh.walker;
   walker.points = take<ScreenXY>(sizes.vertices);

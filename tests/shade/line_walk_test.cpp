@@ -11,7 +11,7 @@ namespace {
 
 using oracle::Random;
 
-constexpr int kMostEdges = 14, kWidest = 150, kFaces = 20, kPlaces = 16;
+constexpr int kMostEdges = 14, kWidest = 150, kFaces = 60, kPlaces = 32;
 
 struct Cell {  // of a grid
   std::uint16_t color, other[5];
@@ -23,6 +23,7 @@ struct Line {
   std::uint16_t words[kFaces + 1];
   Cell cells[kFaces / 2 + 1];
   std::uint8_t slots[kFaces + 1];
+  std::uint8_t heads[LookChains::kMostHeads];
   FaceLook looks[kFaces + 1];
   FaceColor colors[kPlaces];
   alignas(4) std::uint16_t pixels[kWidest];
@@ -57,14 +58,14 @@ constexpr bool is_smooth(Kind kind) { return kind == Kind::smooth || kind == Kin
 
 // The colour of a pixel; false where the walk does not know it.
 bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uint32_t y, std::uint16_t& color) {
-  const std::uint32_t place = face_place(face) % kPlaces;
   if (kind == Kind::band_flat) {
+    const std::uint32_t place = face_place(face) % kPlaces;
     color = line.colors[place].color;
     return line.colors[place].face == face;
   }
   color = line.words[face];
   if (knows_all(kind) || (kind == Kind::smooth && face == 0)) return true;
-  const FaceLook& look = line.looks[kind == Kind::smooth ? line.slots[face] : place];
+  const FaceLook& look = line.looks[kind == Kind::smooth ? line.slots[face] : line.heads[LookChains::head_of(face)]];
   if (look.face != face) return false;
   color = look.material == kKnown ? colors[look.plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look.color();
   return look.material == kKnown || look.material == FaceLook::kNoMaterial;
@@ -168,8 +169,18 @@ void make_places(Random& random, Line& line) {
   for (FaceId face = 0; face <= kFaces; ++face) {
     const std::uint32_t place = face_place(face) % kPlaces;
     if (face >= kPlaces && random.percent(70)) continue;
-    line.looks[place].face = line.colors[place].face = face;
+    line.colors[place].face = face;
     line.colors[place].color = static_cast<std::uint16_t>(random.below(0x10000));
+  }
+}
+
+// Chains whose heads are mostly the faces' own, the background's, too.
+void make_heads(Random& random, Line& line) {
+  line.looks[0] = {{}, 0, FaceLook::kUnknown};
+  line.looks[kFaces] = FaceLook::flat(line.words[0]);
+  for (FaceId face = 0; face <= kFaces; ++face) {
+    const int look = random.percent(95) ? (face == 0 ? kFaces : face) : random.below(kFaces + 1);
+    line.heads[LookChains::head_of(face)] = static_cast<std::uint8_t>(look);
   }
 }
 
@@ -207,7 +218,8 @@ void compare(Kind kind) {
     for (std::uint16_t& word : fast.words) word = static_cast<std::uint16_t>(random.below(0x10000));
     for (std::uint16_t& pixel : fast.pixels) pixel = 0xabcd;
     if (is_smooth(kind)) make_looks(random, fast);
-    if (kind == Kind::band_flat || kind == Kind::band_smooth) make_places(random, fast);
+    if (kind == Kind::band_flat) make_places(random, fast);
+    if (kind == Kind::band_smooth) make_heads(random, fast);
     for (int i = 0; i <= kFaces && kind == Kind::cells; ++i) {
       fast.words[i] = fast.words[i & ~1];
       fast.cells[i / 2] = {fast.words[i], {}};
@@ -215,10 +227,9 @@ void compare(Kind kind) {
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
     SmoothBrush brush(fast.looks, {fast.slots});
-    BandBrush band_brush(fast.looks, {kPlaces - 1});
+    BandBrush band_brush(fast.looks, {fast.heads});
     if (kind == Kind::smooth) brush.begin_line(y, fast.words[0]);
-    if (kind == Kind::band_smooth && fast.looks[0].face == 0) band_brush.begin_line(y, fast.words[0]);
-    if (kind == Kind::band_smooth && fast.looks[0].face != 0) continue;
+    band_brush.begin_line(y);
     brush.dip(kKnown, colors);
     band_brush.dip(kKnown, colors);
     const FaceColors face_colors({fast.colors, kPlaces - 1});

@@ -22,6 +22,8 @@ struct BandMemory {
         vertices(sizes.vertices + 1u),
         buckets(sizes.lines + 1u),
         colors(sizes.looks + 1u),
+        heads(LookChains::heads_for(view.face_count())),
+        links(sizes.looks + 1u),
         edges(sizes.edges + 1u),
         planes(sizes.planes + 1u),
         looks(sizes.looks + 1u),
@@ -29,7 +31,7 @@ struct BandMemory {
     storage.screen = screen;
     storage.mesh.walker.edges[0] = ref(edges);
     storage.mesh.walker.planes = ref(planes);
-    storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors)};
+    storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors), ref(heads), ref(links)};
     if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
   }
   template <typename T>
@@ -42,6 +44,7 @@ struct BandMemory {
   std::vector<BandVertex> vertices;
   std::vector<std::uint8_t> buckets;
   std::vector<FaceColor> colors;
+  std::vector<std::uint8_t> heads, links;
   std::vector<ActiveEdge> edges;
   std::vector<CachedPlane> planes;
   std::vector<FaceLook> looks;
@@ -82,7 +85,7 @@ TEST_P(Bands, ShowWhatTheWholeFrameShows) {
     BandMemory little(view, scene.screen,
                       {.vertices = random.percent(20) ? std::uint16_t{0} : up_to(130),
                        .lines = static_cast<std::uint16_t>(1 + up_to(scene.screen.height)),
-                       .looks = static_cast<std::uint16_t>(mask(6) | 1),
+                       .looks = static_cast<std::uint16_t>(gouraud ? 1 + up_to(63) : mask(6) | 1),
                        .tables = mask(2),
                        .planes = mask(4),
                        .gouraud = gouraud});

@@ -52,7 +52,7 @@ class BandLines {
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
   void begin_line(std::uint16_t line, std::uint16_t background) {
-    smooth() ? brush_.begin_line(line, background) : colors_.put(0, background);
+    smooth() ? brush_.begin_line(line) : colors_.put(0, background);
   }
   // Of a face, where all are flat.
   std::uint16_t color(FaceId face) {
@@ -81,6 +81,7 @@ class BandLines {
   BitPool drawn_;  // faces that are seen from their fronts
   FaceColors colors_;
   SmoothCache smooth_;
+  LookChains looks_;
   BandBrush brush_;
   DepthRows rows_;
   KeptLights lights_;

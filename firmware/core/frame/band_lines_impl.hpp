@@ -29,9 +29,9 @@ struct BandLines<kTaps, kPaint>::Sink {
   }
   // Sees to the look of a face, and that the brush knows it where it is smooth.
   void learn(FaceId face) const {
-    if (face == 0) return mesh.begin_line(line, painter.background());
-    if (!mesh.smooth()) return mesh.learn_color(face);
-    const FaceLook& look = mesh.smooth_.look(face, [this](FaceId f) { return mesh.look_of(f); });
+    if (!mesh.smooth()) return face == 0 ? mesh.begin_line(line, painter.background()) : mesh.learn_color(face);
+    const FaceLook& look = mesh.looks_.look(
+        face, [this](FaceId f) { return f == 0 ? FaceLook::flat(painter.background()) : mesh.look_of(f); });
     if (look.smooth() && !mesh.brush_.knows(face, look)) mesh.brush_.dip(look.material, mesh.colors_of(look.material));
   }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
@@ -87,6 +87,7 @@ BandLines<kTaps, kPaint>::BandLines(const FrameStorage& storage)
       drawn_(storage.bands.drawn),
       colors_(storage.bands.colors),
       smooth_(storage.smooth, storage.screen.format),
+      looks_(storage.smooth.looks, storage.bands.heads, storage.bands.links),
       walker_(storage.mesh.walker, storage.screen) {
   if constexpr (kPaint == Paint::any) {
     if (storage.screen.format == PixelFormat::rgb565) found_ = smooth() ? Paint::smooth_words : Paint::flat_words;
@@ -126,7 +127,9 @@ Status BandLines<kTaps, kPaint>::check() const {
   if (scene_.vertex_count() > vertices_.capacity()) {
     return short_of("vertices", scene_.vertex_count(), vertices_.capacity());
   }
-  if (scene_.face_count() > drawn_.capacity()) return short_of("facets", scene_.face_count(), drawn_.capacity());
+  const std::uint32_t faces =
+      smooth() && looks_.most_faces() < drawn_.capacity() ? looks_.most_faces() : drawn_.capacity();
+  if (scene_.face_count() > faces) return short_of("facets", scene_.face_count(), faces);
   if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
   return check_meshes(scene_, smooth());
 }
@@ -136,7 +139,10 @@ template <bool kTaps, Paint kPaint>
 void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
   colors_.clear();
   smooth_.clear();
-  if (smooth()) brush_ = BandBrush(smooth_.looks(), {smooth_.look_mask()});
+  if (smooth()) {
+    looks_.clear();
+    brush_ = BandBrush(looks_.looks(), {looks_.heads()});
+  }
   lights_.forget();
   at_hand_ = {};
   new (&points_) InstancePoints(scene_.scene(), camera_, screen_);

@@ -52,7 +52,8 @@ struct Budget {
   // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes
   // each. Powers of two less one, since one more of each is there; of looks the edge walker takes any number up to 254.
   // looks 0: 15 for the segment walker, 127 for the others. With band_vertices
-  // looks are a power of two less one, and without gouraud colours of faces, 4 bytes each.
+  // likewise any number, 17 bytes each and a byte for each of 256 faces; without gouraud colours of faces, 4 bytes
+  // each, a power of two less one.
   std::uint16_t looks = 0, tables = 0;
   std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
   // Instances that are compared with the frame before, so that lines on which nothing has moved are not drawn again

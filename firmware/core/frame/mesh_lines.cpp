@@ -39,7 +39,7 @@ namespace spanline {
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
   if (smooth) {
     const std::uint32_t materials = record.materials.size();
-    if (materials >= FaceLook::kNoMaterial) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
+    if (materials > FaceLook::kUnknown) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
     bool gouraud = false;
     for (const MaterialRecord& material : record.materials) {
       gouraud = gouraud || material.shading == MaterialRecord::kGouraud;

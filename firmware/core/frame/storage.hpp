@@ -12,6 +12,7 @@
 #include "core/frame/point_source.hpp"
 #include "core/shade/brightness.hpp"
 #include "core/shade/face_colors.hpp"
+#include "core/shade/look_chains.hpp"
 #include "core/vsg/band_vertices.hpp"
 #include "core/vsg/edge_walker.hpp"
 #include "core/vsg/visible_segments.hpp"
@@ -39,6 +40,8 @@ struct BandStorage {
   PoolRef<BandVertex> vertices;   // of a band
   PoolRef<std::uint8_t> buckets;  // a line of a band each
   PoolRef<FaceColor> colors;      // where all faces are flat
+  PoolRef<std::uint8_t> heads;    // else LookChains'
+  PoolRef<std::uint8_t> links;
 };
 
 // A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
@@ -214,7 +217,8 @@ class BandPools {
   void add_to(FrameStorage& storage) {
     storage.mesh.walker.edges[0] = edges_.ref();
     storage.mesh.walker.planes = planes_.ref();
-    storage.bands = {drawn_.ref(), keys_.ref(), vertices_.ref(), buckets_.ref(), colors_.ref()};
+    storage.bands = {drawn_.ref(),  keys_.ref(),  vertices_.ref(), buckets_.ref(),
+                     colors_.ref(), heads_.ref(), links_.ref()};
   }
 
  private:
@@ -225,6 +229,8 @@ class BandPools {
   Pool<ActiveEdge, kBudget.edges> edges_;
   Pool<CachedPlane, kBudget.planes> planes_;
   Pool<FaceColor, kBudget.gouraud ? 0 : kBudget.looks> colors_;
+  Pool<std::uint8_t, kBudget.gouraud ? LookChains::heads_for(kBudget.facets) - 1 : 0> heads_;
+  Pool<std::uint8_t, kBudget.gouraud ? kBudget.looks : 0> links_;
 };
 
 struct NoPools {

@@ -64,7 +64,8 @@ struct FaceLook {
   FaceId face;
   std::uint16_t material;
 
-  static constexpr std::uint16_t kNoMaterial = 0xffff;
+  // Of one colour; of no face at all: more materials than the latter's number are not drawn.
+  static constexpr std::uint16_t kNoMaterial = 0xffff, kUnknown = kNoMaterial - 2;
   static constexpr FaceLook flat(std::uint16_t color, FaceId face = 0) { return {{0, color, 0}, face, kNoMaterial}; }
   bool smooth() const { return material != kNoMaterial; }
   bool flat_of(FaceId f) const { return face == f && !smooth(); }
@@ -99,7 +100,6 @@ class SmoothCache {
 
   bool on() const { return looks_.capacity() != 0; }
   FaceLook* looks() const { return on() ? &looks_[0] : nullptr; }  // by the slots of faces
-  std::uint32_t look_mask() const { return look_mask_; }           // or by their numbers
 
   // At the beginning of a frame.
   void clear();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/shade/brightness.hpp"
+#include "core/shade/look_chains.hpp"
 
 namespace spanline {
 
@@ -9,10 +9,10 @@ struct LookSlots {
   const std::uint8_t* slots = nullptr;
   std::uint32_t operator()(FaceId face) const { return slots[face]; }
 };
-// or the face's own number tells it.
-struct LookPlaces {
-  std::uint32_t mask = 0;
-  std::uint32_t operator()(FaceId face) const { return face_place(face) & mask; }
+// or it is the head of a chain.
+struct LookHeads {
+  const std::uint8_t* heads = nullptr;
+  std::uint32_t operator()(FaceId face) const { return heads[LookChains::head_of(face)]; }
 };
 
 // What the smooth spans of a line are painted with, as long as one material lasts. Assembly knows where each member
@@ -21,11 +21,12 @@ template <typename Find>
 class Brush {
  public:
   Brush() = default;
-  // looks[0] is the background's.
   Brush(FaceLook* looks, Find find) : looks_(looks), find_(find) {}
 
+  void begin_line(std::uint16_t line) { line_ = line; }
+  // Likewise where looks[0] is the background's.
   void begin_line(std::uint16_t line, std::uint16_t background) {
-    line_ = line;
+    begin_line(line);
     looks_[0] = FaceLook::flat(background);
   }
   // `colors` are those that were looked up last: no other material's take their place.
@@ -44,6 +45,7 @@ class Brush {
 
  private:
   static constexpr std::uint32_t kDry = std::uint32_t{FaceLook::kNoMaterial - 1u} << 16;
+  static_assert(kDry >> 16 > FaceLook::kUnknown);
 
   FaceLook* looks_ = nullptr;
   Find find_;
@@ -52,6 +54,6 @@ class Brush {
   const std::uint16_t* colors_ = nullptr;
 };
 using SmoothBrush = Brush<LookSlots>;
-using BandBrush = Brush<LookPlaces>;
+using BandBrush = Brush<LookHeads>;
 
 }  // namespace spanline

@@ -135,12 +135,13 @@ asm(R"(
     ldrb r5, [r5, r4]
     orrs r4, r6
     .endm
-    .macro look_by_place
+    .macro look_by_head
     orrs r4, r6
     lsls r6, r4, #16
-    lsrs r6, r6, #21                @ face_place()
+    lsrs r6, r6, #21                @ LookChains::head_of()
     eors r6, r4
-    ands r5, r6
+    uxtb r6, r6
+    ldrb r5, [r5, r6]
     .endm
 
     .macro smooth_pixels count
@@ -160,7 +161,7 @@ asm(R"(
     .macro smooth_span find=look_by_slot
     uxth r4, r0
     mov r6, r12
-    ldmia r6, {r0, r5, r6}          @ looks, slots or mask, material
+    ldmia r6, {r0, r5, r6}          @ looks, slots or heads, material
     \find
     lsls r5, r5, #4
     adds r5, r0
@@ -216,7 +217,7 @@ asm(R"(
     .endm
 
     .macro band_smooth_span
-    smooth_span look_by_place
+    smooth_span look_by_head
     .endm
     .macro band_smooth_count_down
     smooth_count_down

@@ -94,9 +94,10 @@ asm(R"(
     .macro look_by_slot
     ldrb r4, [r4, lr]
     .endm
-    .macro look_by_place
-    eor lr, lr, lr, lsr #5          @ face_place()
-    and r4, lr
+    .macro look_by_head
+    eor lr, lr, lr, lsr #5          @ LookChains::head_of()
+    uxtb lr, lr
+    ldrb r4, [r4, lr]
     .endm
 
     .macro grid_state
@@ -140,7 +141,7 @@ asm(R"(
 @ The same with the face's brightness.
     .macro smooth_span unknown, find=look_by_slot
     uxth lr, r9
-5:  ldm r12, {r0, r4, r5, r6}       @ looks, slots or mask, material, line
+5:  ldm r12, {r0, r4, r5, r6}       @ looks, slots or heads, material, line
     orr r5, lr
     \find
     add r4, r0, r4, lsl #4
@@ -188,7 +189,7 @@ asm(R"(
     .endm
 
     .macro band_smooth_span unknown
-    smooth_span \unknown, look_by_place
+    smooth_span \unknown, look_by_head
     .endm
 
 @ Words of r4 from r0 on up to r3, eight at least. Takes r1, r2, r5 to r7, r9 and r10.
