@@ -52,6 +52,89 @@ TEST(BrightnessPlane, IsLinearAndNeverOutOfTheTable) {
   EXPECT_GT(pixels, 10000);
 }
 
+// A convex cell: four points around a circle, pulled out of shape, or three of which one stands twice.
+void make_cell(Random& random, ScreenXY (&at)[4]) {
+  const int reach = random.percent(20) ? 12000 : random.percent(50) ? 900 : 60;
+  const double wide = reach * random.between(1, 100) / 100.0, turn = random.below(1000) / 159.0;
+  double angle = random.below(1000) / 159.0;
+  for (ScreenXY& p : at) {
+    const double x = wide * std::cos(angle), y = reach * std::sin(angle);
+    p = {static_cast<std::int16_t>(16000 + std::lround(x * std::cos(turn) - y * std::sin(turn))),
+         static_cast<std::int16_t>(16000 + std::lround(x * std::sin(turn) + y * std::cos(turn)))};
+    angle += random.below(1000) / 500.0;
+  }
+  if (random.percent(10)) at[1] = at[0];
+}
+
+bool convex(const ScreenXY (&at)[4]) {
+  bool left = false, right = false;
+  for (int i = 0; i < 4; ++i) {
+    const ScreenXY& c = at[(i + 2) % 4];
+    const double turn = cross(at[i], at[(i + 1) % 4], c.x, c.y);
+    left = left || turn < 0;
+    right = right || turn > 0;
+  }
+  return left != right;
+}
+
+// The plane that grows along the diagonals as the corners do, and has their mean in the mean of their places.
+TEST(CellBrightness, IsThePlaneOfTheDiagonalsAndNeverOutOfTheTable) {
+  int cells = 0, moved = 0, exact_ones = 0;
+  for (std::uint64_t seed = 0; seed < 40000; ++seed) {
+    Random random(seed);
+    ScreenXY at[4];
+    make_cell(random, at);
+    Brightness level[4];
+    const int spread = random.percent(60) ? 20 : 252, least = random.below(253 - spread);
+    for (Brightness& l : level) l = static_cast<Brightness>(least + random.below(spread + 1));
+    const double ux = at[2].x - at[0].x, uy = at[2].y - at[0].y, vx = at[3].x - at[1].x, vy = at[3].y - at[1].y;
+    const double area = ux * vy - vx * uy;
+    if (!convex(at) || std::abs(area) < 1) continue;
+    ++cells;
+    const double rise_u = level[2] - level[0], rise_v = level[3] - level[1];
+    const double right = (rise_u * vy - rise_v * uy) / area * 16, down = (rise_v * ux - rise_u * vx) / area * 16;
+    const auto sum = [&](auto of) { return of(0) + of(1) + of(2) + of(3); };
+    const double mean = sum([&](int i) { return level[i] - (right * at[i].x + down * at[i].y) / 16; }) / 4;
+    const auto corner = [&](int i) { return mean + (right * at[i].x + down * at[i].y) / 16; };
+    const BrightnessPlane plane = cell_brightness(at, level);
+    const bool steep = std::abs(right) > 1000 || std::abs(down) > 1000;
+    double low = 1000, high = -1000;
+    for (int i = 0; i < 4; ++i) {
+      low = std::min(low, corner(i));
+      high = std::max(high, corner(i));
+    }
+    const bool within = low >= 0 && high <= 252;
+    for (int i = 0; i < 10; ++i) {
+      // A pixel near a random point of the cell.
+      double part[4], all = 0;
+      for (double& p : part) all += p = random.below(1000) * (random.percent(30) ? 0 : 1) + 0.001;
+      const auto mix = [&](auto of) { return sum([&](int c) { return part[c] / all * of(at[c]); }); };
+      const int column = static_cast<int>(std::floor(mix([](ScreenXY p) { return static_cast<double>(p.x); }) / 16));
+      const int line = static_cast<int>(std::floor(mix([](ScreenXY p) { return static_cast<double>(p.y); }) / 16));
+      const double x = 16 * column + 8, y = 16 * line + 8;
+      bool inside = true;
+      for (int c = 0; c < 4; ++c) inside = inside && cross(at[c], at[(c + 1) % 4], x, y) * area >= 0;
+      if (!inside) continue;
+      const double value =
+          plane.at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(line)) / double{1 << 24} - 2;
+      const double expected = mean + (right * x + down * y) / 16;
+      if (steep || !within) {
+        ++moved;
+        ASSERT_LE(std::abs(value - 126), 127.5) << "seed " << seed;
+        if (!steep && high - low < 252) {
+          ASSERT_NEAR(value, expected + (low < 0 ? -low : 252 - high), 1.5) << "seed " << seed;
+        }
+        continue;
+      }
+      ++exact_ones;
+      ASSERT_NEAR(value, expected, 0.25) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(cells, 20000);
+  EXPECT_GT(moved, 1000);
+  EXPECT_GT(exact_ones, 40000);
+}
+
 TEST(SmoothSpan, RoundsToTheNearestColour) {
   FaceLook looks[1];
   ColorTable tables[1];

@@ -106,6 +106,9 @@ class Frame {
   bool file_patches(Patches& patches, std::uint16_t top, std::uint16_t bottom, std::uint16_t& count);
   template <typename Patches>
   Room begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line);
+  template <typename Patches>
+  bool shows_back(const Patches& patches, const DicedFacet& facet) const;
+  bool is_plain(const LightRig& rig, const MaterialRecord& material) const;
   bool wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count);
   bool begin_facets(std::uint16_t line);
   Room begin_facet(std::uint16_t face, std::uint16_t line);

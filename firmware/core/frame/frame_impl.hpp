@@ -43,6 +43,9 @@ struct Frame<kOptions>::Sink {
     if constexpr (kOptions.taps) {
       if (tap.span != nullptr) tap.span(tap.context, s);
     }
+    if constexpr (kDices) {
+      if (s.smooth && s.payload != 0) return smooth_facet(frame.patches_, s);
+    }
     if (s.smooth) {
       const FaceLook& look = frame.smooth_.look(static_cast<FaceId>(s.face + 1), [this](FaceId face) {
         return frame.look_of(static_cast<std::uint16_t>(face - 1));
@@ -50,6 +53,18 @@ struct Frame<kOptions>::Sink {
       return painter.smooth(s.left, s.right, look.plane, frame.smooth_.colors(look.material, frame.scene_.scene()));
     }
     painter.span(s);
+  }
+  // Of a patch, whose facet the payload names.
+  template <typename Patches>
+  void smooth_facet(const Patches& patches, const VisibleSpan& s) {
+    const SceneRecord& scene = frame.scene_.scene();
+    const DicedFacet& facet = patches[s.payload];
+    frame.reader_.select(s.face);
+    const LightRig& rig = frame.lights();
+    const bool flip = frame.shows_back(patches, facet);
+    const BrightnessPlane plane =
+        patches.plane(facet, [&](const Normal10& normal) { return rig.brightness(normal, flip); });
+    painter.smooth(s.left, s.right, plane, frame.smooth_.colors(frame.reader_.face().material, scene));
   }
   void layers(const LayeredSpan& s) {
     if constexpr (kOptions.taps) {
@@ -341,7 +356,8 @@ template <FrameOptions kOptions>
 template <typename Patches>
 Room Frame<kOptions>::begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line) {
   const std::uint16_t face = facets_[waiting].face;
-  const DicedFacet& facet = patches[static_cast<std::uint16_t>(waiting - polygons_filed_)];
+  const auto index = static_cast<std::uint16_t>(waiting - polygons_filed_);
+  const DicedFacet& facet = patches[index];
   const auto add = [&](const auto& look, const auto& colour) {
     return vsg_.add({face, facet.part}, false, line, look, [&](auto& sink) { patches.read(facet, colour, sink); });
   };
@@ -351,11 +367,28 @@ Room Frame<kOptions>::begin_patch_facet(const Patches& patches, std::uint16_t wa
     const Rgb8 color = payload_color(screen_.format, facet.payload);
     return add(layered({facet.payload, false}, color, material), [](const Normal10&) { return Rgb8{}; });
   }
-  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
-  const bool flip = two_sided && !patches.front(facet, reader_.mirrored());
   const LightRig& rig = lights();
+  if (Patches::has_plane(facet) && is_plain(rig, material)) {
+    return add(layered({index, false, true}, {}, material), [](const Normal10&) { return Rgb8{}; });
+  }
+  const bool flip = shows_back(patches, facet);
   return add(layered({0, true}, {}, material),
              [&](const Normal10& normal) { return rig.shade(normal, material, flip); });
+}
+
+// Whether the reader's current face shows its back in a facet of it.
+template <FrameOptions kOptions>
+template <typename Patches>
+bool Frame<kOptions>::shows_back(const Patches& patches, const DicedFacet& facet) const {
+  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+  return two_sided && !patches.front(facet, reader_.mirrored());
+}
+
+// Whether brightness alone tells the colours of a Gouraud material; layers are made of colours along edges.
+template <FrameOptions kOptions>
+bool Frame<kOptions>::is_plain(const LightRig& rig, const MaterialRecord& material) const {
+  const bool alone = !kOptions.layers || !scene_.layered();
+  return alone && smooth_.on() && rig.one_hue() && material.reach == MaterialRecord::kAllLight;
 }
 
 template <FrameOptions kOptions>
@@ -368,9 +401,7 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const bool curved = reader_.face().curved;
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && !curved) {
     const LightRig& rig = lights();
-    const bool alone = !kOptions.layers || !scene_.layered();  // layers are made of colours along edges
-    if (alone && smooth_.on() && rig.one_hue() && material.reach == MaterialRecord::kAllLight &&
-        reader_.face().corners.size() == 3 && !reader_.clipped()) {
+    if (is_plain(rig, material) && reader_.face().corners.size() == 3 && !reader_.clipped()) {
       return vsg_.add(face, line, layered({.smooth = true}, {}, material), [](std::uint16_t) { return Rgb8{}; });
     }
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };

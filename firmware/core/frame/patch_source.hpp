@@ -66,6 +66,20 @@ class PatchSource {
     sink.end_contour();
   }
 
+  // The brightness over a facet that the view does not cut; brightness_of: Normal10 to Brightness, for its corners.
+  static bool has_plane(const DicedFacet& facet) { return facet.kind != DicedFacet::kClipped; }
+  template <typename BrightnessOf>
+  BrightnessPlane plane(const DicedFacet& facet, const BrightnessOf& brightness_of) const {
+    ScreenXY at[4];
+    Brightness level[4];
+    for (std::uint32_t i = 0; i < corner_count(facet); ++i) {
+      at[i] = p_.vertices[corner(facet, i)].at;
+      level[i] = brightness_of(p_.normals[corner(facet, i)]);
+    }
+    return facet.kind == DicedFacet::kQuad ? cell_brightness(at, level)
+                                           : brightness_plane({at[0], at[1], at[2]}, {level[0], level[1], level[2]});
+  }
+
   // The pool that the band lacked room in first, and how much.
   struct Shortage {
     const char* pool = nullptr;

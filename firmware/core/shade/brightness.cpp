@@ -6,20 +6,100 @@
 
 namespace spanline {
 
-BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
-                                         std::int32_t rise2) {
-  const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
-  const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
-  const std::int64_t area = dx1 * dy2 - dx2 * dy1;
-  if (area == 0) return {start, 0, 0};  // covers no pixel
-  const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << kBrightnessBits);
+namespace {
+
+// Of what grows so much along two ways; `area` is theirs, not 0.
+struct ExactGradient {
+  std::int64_t right, down;
+};
+ExactGradient exact_gradient(const std::int64_t (&dx)[2], const std::int64_t (&dy)[2], std::int64_t area,
+                             const std::int32_t (&rise)[2]) {
+  const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << detail::kBrightnessBits);
   const std::int64_t divisor = area < 0 ? -area : area;
   // Rises are below 2^8, distances up to 2^16: below 2^46.
-  const std::int64_t right = rare_round_div((rise1 * dy2 - rise2 * dy1) * scale, divisor);
-  const std::int64_t down = rare_round_div((rise2 * dx1 - rise1 * dx2) * scale, divisor);
+  return {rare_round_div((rise[0] * dy[1] - rise[1] * dy[0]) * scale, divisor),
+          rare_round_div((rise[1] * dx[0] - rise[0] * dx[1]) * scale, divisor)};
+}
+
+}  // namespace
+
+BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
+                                         std::int32_t rise2) {
+  const std::int64_t dx[2] = {at[1].x - at[0].x, at[2].x - at[0].x};
+  const std::int64_t dy[2] = {at[1].y - at[0].y, at[2].y - at[0].y};
+  const std::int64_t area = dx[0] * dy[1] - dx[1] * dy[0];
+  if (area == 0) return {start, 0, 0};  // covers no pixel
+  const auto [right, down] = exact_gradient(dx, dy, area, {rise1, rise2});
   const std::int64_t climb = right * (kSubpixels / 2 - at[0].x) + down * (kSubpixels / 2 - at[0].y);
   return {start + static_cast<std::uint32_t>(climb >> 4), static_cast<std::uint32_t>(right),
           static_cast<std::uint32_t>(down)};
+}
+
+namespace {
+
+// Of a large or narrow cell, along its diagonals; none where it would be steep, which takes a cell of no width.
+[[gnu::cold]] Gradient rare_gradient(ScreenXY first, ScreenXY second, std::int32_t rise1, std::int32_t rise2) {
+  const std::int64_t dx[2] = {first.x, second.x}, dy[2] = {first.y, second.y};
+  const std::int64_t area = dx[0] * dy[1] - dx[1] * dy[0];
+  if (area == 0) return {};
+  const auto [right, down] = exact_gradient(dx, dy, area, {rise1, rise2});
+  const auto steep = [](std::int64_t v) { return v >= kSteepest || v <= -kSteepest; };
+  if (steep(right) || steep(down)) return {};
+  return {static_cast<std::int32_t>(right), static_cast<std::int32_t>(down)};
+}
+
+// How far a plane is to be moved that has `share` more than the first and third corner, and so much less than the
+// others, to be in the table at all four. One that spans more than the table is made level.
+[[gnu::cold]] std::uint32_t into_table(const Brightness (&corner)[4], std::int32_t share, Gradient& gradient) {
+  constexpr std::int32_t kFull = std::int32_t{kFullBrightness} << detail::kBrightnessBits;
+  std::int32_t least = INT32_MAX, most = INT32_MIN;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::int32_t v = corner[i] * (1 << detail::kBrightnessBits) + (i % 2 == 0 ? share : -share);
+    if (v < least) least = v;
+    if (v > most) most = v;
+  }
+  const std::int32_t first = corner[0] * (1 << detail::kBrightnessBits) + share;
+  if (most - least > kFull) {
+    gradient = {};
+    return static_cast<std::uint32_t>(kFull / 2 - first);
+  }
+  return static_cast<std::uint32_t>(least < 0 ? -least : most > kFull ? kFull - most : 0);
+}
+
+}  // namespace
+
+BrightnessPlane cell_brightness(const ScreenXY (&at)[4], const Brightness (&corner)[4]) {
+  using detail::kBrightnessBits;
+  constexpr int kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBrightnessBits;
+  const auto difference = [](ScreenXY a, ScreenXY b) {  // of points in the view
+    return ScreenXY{static_cast<std::int16_t>(b.x - a.x), static_cast<std::int16_t>(b.y - a.y)};
+  };
+  const ScreenXY diagonals[3] = {{}, difference(at[0], at[2]), difference(at[1], at[3])};
+  const std::int32_t rise1 = corner[2] - corner[0], rise2 = corner[3] - corner[1];
+  Gradient gradient;
+  if (!small_gradient<kBrightnessBits, kFullBrightness>(diagonals, rise1, rise2, gradient)) [[unlikely]] {
+    gradient = rare_gradient(diagonals[1], diagonals[2], rise1, rise2);
+  }
+  // What the plane through the first and third corner has too little at the second, half of which all four share.
+  // Within the cell the plane spans less than twice what brightness does, so this fits, whatever its terms are.
+  const ScreenXY side = difference(at[0], at[1]);
+  const auto product = [](std::int32_t a, std::int32_t b) {
+    return static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
+  };
+  const auto rise = static_cast<std::uint32_t>(corner[1] - corner[0]) << (kBrightnessBits + 4);
+  const std::uint32_t lack = rise - product(gradient.right, side.x) - product(gradient.down, side.y);
+  static_assert(std::int64_t{4} * kFullBrightness << (kBrightnessBits + 4) <= INT32_MAX);
+  const std::int32_t share = static_cast<std::int32_t>(lack) >> 5;
+  std::uint32_t start = (std::uint32_t{corner[0]} << kBrightnessBits) + static_cast<std::uint32_t>(share);
+  constexpr std::int32_t kLittle = 1 << kBrightnessBits;  // half of what is beyond either end of the table
+  static_assert(2 * kLittle == 1 << (kBrightnessBits + kBrightnessStep - 1));
+  if (share > kLittle || share < -kLittle) [[unlikely]] {
+    start += into_table(corner, share, gradient);
+  }
+  const std::uint32_t half_entry = 1u << (kBrightnessStep + kBrightnessBits - 1);
+  return {at_origin(start + half_entry, at[0], gradient) << kToPlane,
+          static_cast<std::uint32_t>(gradient.right) << kToPlane,
+          static_cast<std::uint32_t>(gradient.down) << kToPlane};
 }
 
 [[gnu::cold]] void SmoothCache::clear() {

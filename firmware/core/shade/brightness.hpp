@@ -49,6 +49,11 @@ inline BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightnes
   return {plane.at_zero << kToPlane, plane.right << kToPlane, plane.down << kToPlane};
 }
 
+// Likewise of a cell of four corners in the view, convex and run either way round, whose brightness need not lie in a
+// plane: it grows along the diagonals as between the corners, and is off by as much at all four, half of what the
+// diagonals differ by where they cross. So much less is it off where it would leave the table.
+BrightnessPlane cell_brightness(const ScreenXY (&at)[4], const Brightness (&corner)[4]);
+
 // The colours of one material, darkest first, as Painter::fill takes them.
 struct ColorTable {
   static constexpr std::uint32_t kEntries = 64;
