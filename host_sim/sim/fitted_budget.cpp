@@ -135,7 +135,9 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
   budget.planes = cache_for(view.face_count() / 2, kMostPlanes);  // of closed meshes half the faces are seen
-  budget.looks = static_cast<std::uint16_t>(std::min<std::size_t>(view.face_count(), kMostLooks));
+  // Of a patch any number of cells are seen.
+  budget.looks = static_cast<std::uint16_t>(view.has_patches() ? kMostLooks
+                                                               : std::min<std::size_t>(view.face_count(), kMostLooks));
   budget.tables = cache_for(materials - 1, kMostTables);
   return budget;
 }

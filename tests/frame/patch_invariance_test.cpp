@@ -56,17 +56,11 @@ TEST(PatchInvariance, PatchesAmongMeshes) {
 
 TEST(PatchInvariance, ThroughTheNearPlane) { expect_same_in_views(teapot_scene(MeshShading::gouraud), 4, 6, 0.01); }
 
-// The teapot culled.
-host::CompiledScene culled_teapot() {
-  return scene_of(
-      R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"flat"}],"instances":[{"mesh":"p","cull":true}],)"
-      R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})");
-}
-
-TEST(PatchInvariance, TheEdgeWalkerDrawsTheSame) {
-  Random random(7);
-  host::CompiledScene scene = culled_teapot();
-  for (int view = 0; view < 30 && !testing::Test::HasFailure(); ++view) {
+// Culled, in random views: the edge walker with pools that are large or little more than a line needs, and nothing to
+// fall back on.
+void expect_same_by_edges(host::CompiledScene scene, std::uint64_t seed, int views) {
+  Random random(seed);
+  for (int view = 0; view < views && !testing::Test::HasFailure(); ++view) {
     look_from_anywhere(scene, random, 0.6 + random.below(100) / 100.0);
     EngineOptions segments;
     segments.walker = Walker::segments;
@@ -75,14 +69,38 @@ TEST(PatchInvariance, TheEdgeWalkerDrawsTheSame) {
       EngineOptions edges;
       edges.walker = Walker::both;
       edges.pools.patch_grid = static_cast<std::uint16_t>(grid);
-      edges.pools.facets = 0;  // nothing to fall back on
+      edges.pools.facets = 0;
+      if (grid != 8191) edges.pools.looks = static_cast<std::uint16_t>(random.between(1, 120));
       const Rendering by_edges = render(scene, edges);
       ASSERT_TRUE(by_edges.status.ok()) << "view " << view << ": " << by_edges.status.where << ", grid " << grid;
       EXPECT_EQ(by_segments.picture.rgb, by_edges.picture.rgb) << "view " << view << ", grid " << grid;
       EXPECT_EQ(by_segments.ids, by_edges.ids) << "view " << view;
       EXPECT_EQ(by_segments.depth, by_edges.depth) << "view " << view;
+      EXPECT_EQ(by_segments.picture.rgb, render(scene, edges, false).picture.rgb) << "by the walk of boards";
     }
   }
+}
+
+TEST(PatchInvariance, TheEdgeWalkerDrawsTheSame) {
+  expect_same_by_edges(
+      scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"flat"}],"instances":[{"mesh":"p","cull":true}],)"
+               R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})"),
+      7, 30);
+}
+
+TEST(PatchInvariance, TheEdgeWalkerDrawsTheSameGouraud) {
+  // One light and two materials; two lights, turned and stretched, and no ambient light, so that much of it is black.
+  expect_same_by_edges(
+      scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"gouraud"}],"materials":[{"name":"g",)"
+               R"("color":[40,200,90],"shading":"gouraud"}],"instances":[{"mesh":"p","cull":true},)"
+               R"({"mesh":"p","material":"g","cull":true,"translate":[1,0.5,0.5],"rotate":[30,0,70]}],)"
+               R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})"),
+      8, 15);
+  expect_same_by_edges(
+      scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"gouraud"}],"ambient":0,)"
+               R"("instances":[{"mesh":"p","cull":true,"scale":[1,0.6,1.3],"rotate":[10,20,30]}],)"
+               R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.9},{"direction":[-1,0.2,0],"intensity":0.4}]})"),
+      9, 15);
 }
 
 TEST(PatchInvariance, OneLineThatDoesNotFitIsReported) {

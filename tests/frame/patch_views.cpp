@@ -46,10 +46,10 @@ void look_from_anywhere(host::CompiledScene& scene, oracle::Random& random, doub
   scene.look(host::view_in_frame(camera, bounds, scene.description().height, 0, "view"));
 }
 
-host::Rendering render(const host::CompiledScene& scene, host::EngineOptions options) {
+host::Rendering render(const host::CompiledScene& scene, host::EngineOptions options, bool observe) {
   options.width = scene.description().width;
   options.height = scene.description().height;
-  options.observe = true;
+  options.observe = observe;
   host::Rendering out;
   const SceneRecord record = scene.record();
   const Status status = host::Engine::make(options)->render(host::validated(record, "s"), scene.camera(), out);

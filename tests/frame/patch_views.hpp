@@ -20,6 +20,6 @@ host::CompiledScene scene_of(const std::string& json);
 void look_from_anywhere(host::CompiledScene& scene, oracle::Random& random, double distance);
 
 // Renders with `options`, whose size becomes the scene's; expects that nothing is refused.
-host::Rendering render(const host::CompiledScene& scene, host::EngineOptions options);
+host::Rendering render(const host::CompiledScene& scene, host::EngineOptions options, bool observe = true);
 
 }  // namespace spanline::test

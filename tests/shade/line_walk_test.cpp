@@ -4,6 +4,7 @@
 #include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
 #include "core/shade/grid_walk.hpp"
+#include "core/shade/smooth_grid_walk.hpp"
 #include "oracle/random.hpp"
 
 namespace spanline::test {
@@ -52,9 +53,10 @@ void make_edges(Random& random, int width, ActiveEdge* edges, int count) {
 constexpr std::uint16_t kKnown = 7;  // the material
 std::uint16_t colors[ColorTable::kEntries];
 
-enum class Kind { flat, cells, smooth, band_flat, band_smooth };
+enum class Kind { flat, cells, smooth, smooth_cells, band_flat, band_smooth };
 constexpr bool knows_all(Kind kind) { return kind == Kind::flat || kind == Kind::cells; }
-constexpr bool is_smooth(Kind kind) { return kind == Kind::smooth || kind == Kind::band_smooth; }
+constexpr bool has_slots(Kind kind) { return kind == Kind::smooth || kind == Kind::smooth_cells; }
+constexpr bool is_smooth(Kind kind) { return has_slots(kind) || kind == Kind::band_smooth; }
 
 // The colour of a pixel; false where the walk does not know it.
 bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uint32_t y, std::uint16_t& color) {
@@ -64,8 +66,8 @@ bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uin
     return line.colors[place].face == face;
   }
   color = line.words[face];
-  if (knows_all(kind) || (kind == Kind::smooth && face == 0)) return true;
-  const FaceLook& look = line.looks[kind == Kind::smooth ? line.slots[face] : line.heads[LookChains::head_of(face)]];
+  if (knows_all(kind) || (has_slots(kind) && face == 0)) return true;
+  const FaceLook& look = line.looks[has_slots(kind) ? line.slots[face] : line.heads[LookChains::head_of(face)]];
   if (look.face != face) return false;
   color = look.material == kKnown ? colors[look.plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look.color();
   return look.material == kKnown || look.material == FaceLook::kNoMaterial;
@@ -190,6 +192,8 @@ WalkStop walk_fast(LineWalk& walk, Kind kind, FaceId shown) {
       return grid_walk<Cell>(walk, shown);
     case Kind::smooth:
       return smooth_walk(walk, shown);
+    case Kind::smooth_cells:
+      return smooth_grid_walk<Cell>(walk, shown);
     case Kind::band_flat:
       return band_flat_walk(walk, shown);
     case Kind::band_smooth:
@@ -202,6 +206,7 @@ WalkStop walk_fast(LineWalk& walk, Kind kind, FaceId shown) {
 WalkStop start_fast(LineWalk& walk, Kind kind) {
   if (kind == Kind::flat) return flat_line(walk);
   if (kind == Kind::smooth) return smooth_line(walk);
+  if (kind == Kind::smooth_cells) return smooth_grid_line<Cell>(walk);
   if (kind == Kind::cells) return grid_line<Cell>(walk);
   walk.begin_line();
   return walk_fast(walk, kind, 0);
@@ -224,21 +229,31 @@ void compare(Kind kind) {
       fast.words[i] = fast.words[i & ~1];
       fast.cells[i / 2] = {fast.words[i], {}};
     }
+    for (int i = 0; i <= kFaces && kind == Kind::smooth_cells; ++i) {
+      fast.slots[i] = fast.slots[i & ~1];
+      fast.cells[i / 2] = {static_cast<std::uint16_t>(fast.slots[i] << 8 | random.below(256)), {}};
+    }
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
     SmoothBrush brush(fast.looks, {fast.slots});
     BandBrush band_brush(fast.looks, {fast.heads});
-    if (kind == Kind::smooth) brush.begin_line(y, fast.words[0]);
+    GridBrush<Cell> grid_brush(fast.looks, {fast.cells});
+    if (has_slots(kind)) {
+      brush.begin_line(y, fast.words[0]);
+      grid_brush.begin_line(y, fast.words[0]);
+    }
     band_brush.begin_line(y);
     brush.dip(kKnown, colors);
     band_brush.dip(kKnown, colors);
+    grid_brush.dip(kKnown, colors);
     const FaceColors face_colors({fast.colors, kPlaces - 1});
     std::copy(std::begin(fast.looks), std::end(fast.looks), slow.looks);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
     if (kind == Kind::cells) at_fast.faces = fast.cells;
-    at_fast.painter = kind == Kind::smooth        ? static_cast<const void*>(&brush)
-                      : kind == Kind::band_smooth ? static_cast<const void*>(&band_brush)
-                                                  : &face_colors;
+    at_fast.painter = kind == Kind::smooth         ? static_cast<const void*>(&brush)
+                      : kind == Kind::smooth_cells ? static_cast<const void*>(&grid_brush)
+                      : kind == Kind::band_smooth  ? static_cast<const void*>(&band_brush)
+                                                   : &face_colors;
     WalkStop stop = start_fast(at_fast, kind);
     FaceId shown = 0;
     for (;; stop = walk_fast(at_fast, kind, shown)) {
@@ -268,6 +283,8 @@ TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(Kind::flat); }
 TEST(LineWalk, PaintsTheCellsOfGridsAsPixelByPixel) { compare(Kind::cells); }
 
 TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(Kind::smooth); }
+
+TEST(LineWalk, PaintsTheSmoothCellsOfGridsAsPixelByPixel) { compare(Kind::smooth_cells); }
 
 TEST(LineWalk, PaintsWhatIsKnownOfFlatFacesAsPixelByPixel) { compare(Kind::band_flat); }
 

@@ -12,7 +12,7 @@ using FrameOptions = VsgOptions;
 // The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
   const bool points = budget.point_lines != 0, patches = points || budget.patch_facets != 0 || budget.patch_grid != 0;
-  const bool words = budget.walker == Walker::edges && !patches && budget.format == PixelFormat::rgb565;
+  const bool words = budget.walker == Walker::edges && !points && budget.format == PixelFormat::rgb565;
   return {.patches = patches,
           .points = points,
           .layers = budget.layers != 0,
@@ -171,8 +171,9 @@ template <FrameOptions kOptions>
 using MeshesOf = std::conditional_t<kOptions.bands, BandLines<kOptions.taps, kOptions.paint>,
                                     MeshLines<kOptions.taps, kOptions.paint>>;
 template <FrameOptions kOptions>
-using EdgeFrame = MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps>, MeshesOf<kOptions>>,
-                            kOptions.statistics, kOptions.changes>;
+using EdgeFrame =
+    MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps, kOptions.paint>, MeshesOf<kOptions>>,
+              kOptions.statistics, kOptions.changes>;
 template <FrameOptions kOptions>
 requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
   using Base = EdgeFrame<kOptions>;

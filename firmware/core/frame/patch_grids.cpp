@@ -11,6 +11,7 @@ struct PatchGrids::Open {
   std::uint16_t face;
   std::uint32_t header = 0;  // 0: none is open
   std::uint32_t rows = 0;
+  std::uint32_t first = 0;  // the patch's row that is its first
 };
 
 void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
@@ -31,12 +32,13 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
     if (!job.whole) bounds = job.bounds_of(below);
     both.widen(bounds);
     if (i == 0 || !(job.whole || job.window.meets(both))) {
-      close(grid);
+      close(job, grid);
     } else {
       bool room = true;
       if (grid.header == 0) {
         grid.header = used_ + 1u;
         grid.rows = 1;
+        grid.first = i - 1;
         room = step_off(job, above, grid.header + 1, true);
       }
       if (room) room = step_off(job, below, grid.header + 1 + grid.rows * (job.columns() + 1), false);
@@ -49,7 +51,7 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
     above = below;
     bounds_above = bounds;
   }
-  close(grid);
+  close(job, grid);
   return true;
 }
 
@@ -78,6 +80,10 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
   const std::uint32_t stride = job.columns() + 1;
   GridVertex* const above = &v_[grid.header + 1 + (grid.rows - 1) * stride];
   if (note_parts(job, above, above + stride)) {
+    if (job.look.gouraud) {
+      ++grid.rows;
+      return;
+    }
     const NormalRow normals(*job.tangents, 2 * row + 1);
     const FlatLight light(*job.look.lights, *job.look.material, job.look.format);
     for (std::uint32_t i = 0; i < job.columns(); ++i) {
@@ -88,6 +94,7 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
       above[i] = above[stride + i];
       above[i].first_row = 1;
     }
+    ++grid.first;
     return;
   }
   ++grid.rows;
@@ -113,13 +120,14 @@ bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVe
   return any != 0;
 }
 
-void PatchGrids::close(Open& grid) {
+void PatchGrids::close(const PatchJob& job, Open& grid) {
   if (grid.header == 0) return;
   GridVertex& header = v_[grid.header];
   header = v_[grid.header + 1];  // its stride
   header.at.x = static_cast<std::int16_t>(grid.rows);
   header.parts = CellParts::kNone;
   header.color = grid.face;
+  if (job.look.gouraud) light(job, grid.header, grid.first);
   used_ = static_cast<std::uint16_t>(pack(grid.header, grid.header) - 1);
   grid.header = 0;
 }
@@ -180,9 +188,7 @@ void PatchGrids::file(const PoolRef<std::uint16_t>& buckets) {
   for (std::uint32_t header = 1; header <= used_; header += size(header)) {
     const std::uint32_t stride = v_[header].stride;
     for (std::uint32_t i = header + 1; i < header + size(header); ++i) {
-      std::uint32_t around = std::uint32_t{v_[i].parts} | v_[i - 1].parts;
-      if (v_[i].first_row == 0) around |= std::uint32_t{v_[i - stride].parts} | v_[i - stride - 1].parts;
-      if (around == CellParts::kNone) continue;
+      if (!has_cell(i, stride)) continue;
       const std::int32_t own = first_centre(v_[i].at.y);
       if (own >= bottom_) continue;
       std::uint16_t& bucket = buckets[static_cast<std::uint32_t>(own > top_ ? own - top_ + 1 : 1)];

@@ -14,7 +14,8 @@ namespace spanline {
 struct GridVertex {
   static constexpr std::uint16_t kMost = 8191;  // `next`
 
-  std::uint16_t color;      // of the cell, as flat_payload() has it; here for grid_walk()
+  std::uint16_t color;      // of the cell, as flat_payload() has it; where patches are smooth the vertex's Brightness,
+                            // above it the number of the cell's look (GridLooks). Here for grid_walk()
   std::uint16_t next : 13;  // in the list of those that are filed under one line
   std::uint16_t parts : 3;  // CellParts of the cell; none in the last row and column
   ScreenXY at;
@@ -61,6 +62,13 @@ class PatchGrids {
   // Cells are named as faces by twice the number of their first vertex, their lower triangles, where those are apart,
   // by one more.
   std::uint16_t color(FaceId face) const { return v_[face / 2u].color; }
+  // The same where patches are smooth: the number of the face's look, 0 at first, and its brightness.
+  std::uint8_t look(FaceId face) const { return static_cast<std::uint8_t>(color(face) >> 8); }
+  void set_look(FaceId face, std::uint8_t number) {
+    std::uint16_t& word = v_[face / 2u].color;
+    word = static_cast<std::uint16_t>((word & 0xffu) | std::uint32_t{number} << 8);
+  }
+  BrightnessPlane brightness(FaceId face) const;
   // The corners of a face, counter-clockwise; returns how many.
   std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
   // The edge of a face that crosses `line` and runs down (on its left) or up. False where none does.
@@ -88,7 +96,14 @@ class PatchGrids {
   void strip(const PatchJob& job, Open& grid, std::uint32_t row);
   bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
   static bool note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below);
-  void close(Open& grid);
+  void close(const PatchJob& job, Open& grid);
+  void light(const PatchJob& job, std::uint32_t header, std::uint32_t row);
+  // Whether a cell around the vertex, of rows of `stride`, is drawn.
+  bool has_cell(std::uint32_t vertex, std::uint32_t stride) const {
+    std::uint32_t around = std::uint32_t{v_[vertex].parts} | v_[vertex - 1].parts;
+    if (v_[vertex].first_row == 0) around |= std::uint32_t{v_[vertex - stride].parts} | v_[vertex - stride - 1].parts;
+    return around != CellParts::kNone;
+  }
   std::uint32_t pack(std::uint32_t from, std::uint32_t to);
   std::uint32_t size(std::uint32_t header) const {
     return 1 + static_cast<std::uint32_t>(v_[header].at.x) * v_[header].stride;

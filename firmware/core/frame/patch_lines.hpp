@@ -2,18 +2,18 @@
 // grids fit their pool, then line by line.
 #pragma once
 
+#include "core/frame/grid_looks.hpp"
 #include "core/frame/mesh_lines.hpp"
-#include "core/frame/patch_grids.hpp"
 
 namespace spanline {
 
-template <bool kTaps>
+template <bool kTaps, Paint kPaint = Paint::any>
 class PatchLines {
  public:
   PatchLines() = default;
   explicit PatchLines(const FrameStorage& storage);
 
-  // As MeshLines: scenes of patches alone, culled, flat and not mirrored, in the view whole.
+  // As MeshLines: scenes of patches alone, all smooth or none, culled and not mirrored, in the view whole.
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
   bool ready() const { return ready_; }
   const SceneRecord& scene() const { return scene_.scene(); }
@@ -28,10 +28,11 @@ class PatchLines {
   }
 
  private:
-  template <bool kWords>
   struct Sink;
   struct Planes;
 
+  // Whether lines are of RGB565, that fill_span() and smooth_span() can fill.
+  bool words() const { return kPaint != Paint::any || screen_.format == PixelFormat::rgb565; }
   bool give_up(const Status& status);
 
   Status check() const;
@@ -41,13 +42,11 @@ class PatchLines {
   template <typename Add>
   void feed(std::uint16_t line, const Add& add);
   bool run_again(ActiveEdge& edge, std::int32_t line);
-  template <bool kWords>
-  bool walk(std::uint16_t line, Painter& painter, const SpanTap& tap);
 
   SceneView scene_;
   CameraRecord camera_{};
   Screen screen_;
-  bool smooth_ = false;  // Gouraud's materials are drawn as such: not here
+  [[no_unique_address]] std::conditional_t<kPaint == Paint::flat_words, NoGridLooks, GridLooks> looks_;
   PoolRef<std::uint16_t> buckets_;
   FacetReader reader_;
   PatchGrids grids_;

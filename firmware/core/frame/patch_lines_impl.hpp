@@ -6,67 +6,69 @@
 
 namespace spanline {
 
-// kWords: lines of RGB565, that fill_span() can fill.
-template <bool kTaps>
-template <bool kWords>
-struct PatchLines<kTaps>::Sink {
-  const PatchGrids& grids;
+// As MeshLines::Sink: which paint it is, is asked where the walk stops.
+template <bool kTaps, Paint kPaint>
+struct PatchLines<kTaps, kPaint>::Sink {
+  PatchLines& lines;
   Painter& painter;
   const SpanTap& tap;
-  std::int32_t width;
   std::uint16_t line;
 
   WalkStop start(LineWalk& walk) const {
     walk.pixels = painter.out();
-    if constexpr (kWords && !kTaps) return grid_line<GridVertex>(walk);
+    if (!kTaps && lines.words()) {
+      if (lines.looks_.on()) return smooth_grid_line<GridVertex>(walk);
+      return grid_line<GridVertex>(walk);
+    }
     walk.begin_line();
     return run(walk, 0);
   }
   WalkStop run(LineWalk& walk, FaceId shown) const {
-    if constexpr (kWords && !kTaps) return grid_walk<GridVertex>(walk, shown);
+    if (!kTaps && lines.words()) {
+      if (lines.looks_.on()) return smooth_grid_walk<GridVertex>(walk, shown);
+      return grid_walk<GridVertex>(walk, shown);
+    }
     return walk_on(walk, shown, [this](std::int32_t left, std::int32_t right, FaceId face) {
-      report_one(left, right, face);
-      paint(left, right, face);
+      one(left, right, face);
       return true;
     });
   }
-  void learn(FaceId) const {}
+  void learn(FaceId face) const { lines.looks_.learn(face, lines.grids_, lines.reader_); }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     report_one(left, right, face);
-    paint_cut(left, right, face);
+    paint(left, right, face);
   }
   void rest(std::int32_t left) const {
-    if (left < width) one(left, width, 0);
+    if (left < lines.screen_.width) one(left, lines.screen_.width, 0);
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
-    paint_cut(left, right, face);
+    paint(left, right, face);
   }
 
  private:
-  void paint(std::int32_t left, std::int32_t right, FaceId face) const {
-    if constexpr (kWords) {
-      fill_span(painter.out(), left, right, grids.color(face));
-    } else {
-      paint_cut(left, right, face);
-    }
-  }
   // Not a pixel too far.
-  [[gnu::noinline]] void paint_cut(std::int32_t left, std::int32_t right, FaceId face) const {
-    painter.fill(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), grids.color(face));
+  [[gnu::noinline]] void paint(std::int32_t left, std::int32_t right, FaceId face) const {
+    const auto begin = static_cast<std::uint32_t>(left), end = static_cast<std::uint32_t>(right);
+    if (lines.looks_.on() && face != 0) {
+      const FaceLook& look = lines.looks_.learn(face, lines.grids_, lines.reader_);
+      return painter.smooth(begin, end, look.plane, lines.looks_.colors());
+    }
+    painter.fill(begin, end, face != 0 ? lines.grids_.color(face) : painter.background());
   }
   void report_one(std::int32_t left, std::int32_t right, FaceId face) const {
-    if constexpr (kTaps) report(left, right, face, face != 0 ? grids.ramp(face, line) : DepthRamp{});
+    if constexpr (kTaps) report(left, right, face, face != 0 ? lines.grids_.ramp(face, line) : DepthRamp{});
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
-    tap.tell(line, left, right, face != 0 ? grids.scene_face(face) : kNoFace, grids.color(face), ramp);
+    tap.tell(line, left, right, face != 0 ? lines.grids_.scene_face(face) : kNoFace,
+             lines.looks_.on() ? std::uint16_t{0} : lines.grids_.color(face), ramp);
   }
 };
 
 // The depths of faces along a line. Between their corners depth is that of the corners, but for rounding of less than a
 // unit, so that most faces need no more.
-template <bool kTaps>
-struct PatchLines<kTaps>::Planes {
+template <bool kTaps, Paint kPaint>
+struct PatchLines<kTaps, kPaint>::Planes {
   PatchLines& lines;
   std::uint16_t line;
 
@@ -92,21 +94,22 @@ struct PatchLines<kTaps>::Planes {
   }
 };
 
-template <bool kTaps>
-PatchLines<kTaps>::PatchLines(const FrameStorage& storage)
+template <bool kTaps, Paint kPaint>
+PatchLines<kTaps, kPaint>::PatchLines(const FrameStorage& storage)
     : screen_(storage.screen),
-      smooth_(storage.smooth.looks.capacity() != 0),
+      looks_(storage),
       buckets_(storage.mesh.walker.buckets),
       grids_(storage.patches.grid, storage.screen, storage.patches.tolerance),
       walker_(storage.mesh.walker, storage.screen) {}
 
-template <bool kTaps>
-Status PatchLines<kTaps>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
+template <bool kTaps, Paint kPaint>
+Status PatchLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
   if (ready_ && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
   ready_ = false;
   scene_ = scene;
   camera_ = camera;
   if (const Status status = check(); !status.ok()) return status;
+  if (const Status status = looks_.begin_frame(scene_); !status.ok()) return status;
   reader_ = FacetReader(scene_, camera_, screen_, {});
   runs_ = height_ = 0;
   grids_.begin_frame();
@@ -118,8 +121,8 @@ Status PatchLines<kTaps>::begin(const SceneView& scene, const CameraRecord& came
 }
 
 // What cannot be drawn here.
-template <bool kTaps>
-Status PatchLines<kTaps>::check() const {
+template <bool kTaps, Paint kPaint>
+Status PatchLines<kTaps, kPaint>::check() const {
   if (walker_.edge_capacity() == 0) return {Code::pool_exhausted, "edges", "", 0, 0, 1, 0};
   if (!scene_.scene().reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene_.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
@@ -137,14 +140,15 @@ Status PatchLines<kTaps>::check() const {
 // Dices the patches for the longest run of lines from `top` on whose grids fit. The run planned last, and twice that,
 // is where the search begins; where the pool overflows the run is shortened, and what it does not need any more gives
 // way.
-template <bool kTaps>
-Status PatchLines<kTaps>::plan(std::uint16_t top) {
+template <bool kTaps, Paint kPaint>
+Status PatchLines<kTaps, kPaint>::plan(std::uint16_t top) {
   const std::int32_t rest = screen_.height - top;
   const std::int32_t lines = height_ == 0 || 2 * height_ > rest ? rest : 2 * height_;
   grids_.begin(top, top + lines);
   top_ = top;
   walker_.begin();
-  walker_.paint_with(&grids_[0], nullptr);
+  if (looks_.on()) looks_.begin(grids_);
+  walker_.paint_with(&grids_[0], looks_.brush());
   if (const Status status = dice_all(); !status.ok()) return status;
   grids_.file(buckets_);
   height_ = static_cast<std::uint16_t>(grids_.bottom() - top);
@@ -152,8 +156,8 @@ Status PatchLines<kTaps>::plan(std::uint16_t top) {
   return {};
 }
 
-template <bool kTaps>
-Status PatchLines<kTaps>::dice_all() {
+template <bool kTaps, Paint kPaint>
+Status PatchLines<kTaps, kPaint>::dice_all() {
   LightRig rig;
   std::uint32_t lit = UINT32_MAX;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
@@ -171,14 +175,11 @@ Status PatchLines<kTaps>::dice_all() {
   return {};
 }
 
-template <bool kTaps>
-Status PatchLines<kTaps>::dice(std::uint16_t face, const LightRig& rig) {
+template <bool kTaps, Paint kPaint>
+Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) {
   if (reader_.mirrored()) return {Code::bad_record, "InstanceRecord", "transform (mirrored)", reader_.instance_index()};
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
-  if (smooth_ && material.shading == MaterialRecord::kGouraud) {
-    return {Code::bad_record, "MaterialRecord", "shading (Gouraud)", reader_.face().material};
-  }
-  const PatchLook look{&rig, &material, screen_.format, false, false};
+  const PatchLook look{&rig, &material, screen_.format, looks_.on(), false};
   for (;;) {
     PatchJob job(reader_, look, {top_, grids_.bottom(), screen_.width});
     if (job.nothing) return {};
@@ -213,9 +214,9 @@ struct GridCell {
 };
 
 // The edges that begin on the line: each from its upper end to its neighbours in the grid, and in cells cut in two.
-template <bool kTaps>
+template <bool kTaps, Paint kPaint>
 template <typename Add>
-void PatchLines<kTaps>::feed(std::uint16_t line, const Add& add) {
+void PatchLines<kTaps, kPaint>::feed(std::uint16_t line, const Add& add) {
   std::uint16_t first = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
   if (line != top_) first = grids_.sorted(first);
   for (std::uint32_t v = first; v != 0; v = grids_[v].next) {
@@ -242,8 +243,8 @@ void PatchLines<kTaps>::feed(std::uint16_t line, const Add& add) {
   }
 }
 
-template <bool kTaps>
-bool PatchLines<kTaps>::run_again(ActiveEdge& edge, std::int32_t line) {
+template <bool kTaps, Paint kPaint>
+bool PatchLines<kTaps, kPaint>::run_again(ActiveEdge& edge, std::int32_t line) {
   if ((edge.rest & ActiveEdge::kTall) == 0) return false;
   const FaceId ends = edge.ending();
   const FaceId face = ends == 0 ? edge.beginning() : ends;
@@ -257,21 +258,17 @@ bool PatchLines<kTaps>::run_again(ActiveEdge& edge, std::int32_t line) {
   return true;
 }
 
-template <bool kTaps>
-template <bool kWords>
-bool PatchLines<kTaps>::walk(std::uint16_t line, Painter& painter, const SpanTap& tap) {
-  const Sink<kWords> sink{grids_, painter, tap, screen_.width, line};
-  return walker_.walk(line, sink, Planes{*this, line},
-                      [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
-}
-
-template <bool kTaps>
-bool PatchLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+template <bool kTaps, Paint kPaint>
+bool PatchLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
   if (line == top_ + height_) {
     if (const Status status = plan(line); !status.ok()) return give_up(status);
   }
-  grids_.set_background(painter.background());
+  if (looks_.on()) {
+    looks_.begin_line(line, painter.background());
+  } else {
+    grids_.set_background(painter.background());
+  }
   if (!walker_.start_fed([&](const auto& add) { feed(line, add); })) {
     const std::uint32_t capacity = walker_.edge_capacity();
     return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
@@ -279,15 +276,16 @@ bool PatchLines<kTaps>::next(std::uint16_t line, Painter& painter, const SpanTap
   if (walker_.most_edges() > most_edges_) most_edges_ = walker_.most_edges();
   if (planes_made_) walker_.forget_planes();
   planes_made_ = false;
-  if (!(screen_.format == PixelFormat::rgb565 ? walk<true>(line, painter, tap) : walk<false>(line, painter, tap))) {
+  const auto again = [this](ActiveEdge& edge, std::int32_t next_line) { return run_again(edge, next_line); };
+  if (!walker_.walk(line, Sink{*this, painter, tap, line}, Planes{*this, line}, again)) {
     return give_up({Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost});
   }
   ++line_;
   return true;
 }
 
-template <bool kTaps>
-bool PatchLines<kTaps>::give_up(const Status& status) {
+template <bool kTaps, Paint kPaint>
+bool PatchLines<kTaps, kPaint>::give_up(const Status& status) {
   ready_ = false;
   shortage_ = status;
   return false;

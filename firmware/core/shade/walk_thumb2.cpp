@@ -3,6 +3,7 @@
 #include "core/shade/band_walk.hpp"
 #include "core/shade/flat_walk.hpp"
 #include "core/shade/grid_walk.hpp"
+#include "core/shade/smooth_grid_walk.hpp"
 #include "core/shade/walk_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
@@ -119,6 +120,14 @@ asm(R"(
     fill_span
     .endm
 
+@ The number of the look of face lr, of a cell's upper byte.
+    .macro look_by_cell
+    lsr lr, #1
+    add lr, lr, lr, lsl #1
+    add r4, r4, lr, lsl #2
+    ldrb r4, [r4, #1]
+    .endm
+
     .macro smooth_state
     ldr r12, [r0, #44]
     .endm
@@ -190,6 +199,22 @@ asm(R"(
 
     .macro band_smooth_span unknown
     smooth_span \unknown, look_by_head
+    .endm
+
+    .macro smooth_grid_state
+    smooth_state
+    .endm
+
+    .macro smooth_grid_background
+    smooth_background
+    .endm
+
+    .macro smooth_grid_tail unknown
+    smooth_tail \unknown
+    .endm
+
+    .macro smooth_grid_span unknown
+    smooth_span \unknown, look_by_cell
     .endm
 
 @ Words of r4 from r0 on up to r3, eight at least. Takes r1, r2, r5 to r7, r9 and r10.
@@ -406,6 +431,7 @@ spanline_\kind\()_walk:
     walk flat, whole_lines=1
     walk grid, whole_lines=1
     walk smooth, whole_lines=1
+    walk smooth_grid, whole_lines=1
     walk band_flat
     walk band_smooth
     .text

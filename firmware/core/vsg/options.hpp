@@ -30,7 +30,7 @@ struct VsgOptions {
   Walker walker = Walker::segments;
   bool bands = false;    // with Walker::edges: of meshes only a band is kept, the storage of Budget::band_vertices
   bool changes = false;  // lines that show what they showed are not drawn again: the storage of Budget::kept_instances
-  Paint paint = Paint::any;  // of meshes, where the walker is that of edges alone
+  Paint paint = Paint::any;  // where the walker is that of edges alone
 };
 
 }  // namespace spanline
