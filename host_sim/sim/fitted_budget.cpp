@@ -122,7 +122,7 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
     edges = std::max(edges, needed->max_edges);
     grid = std::max(grid, needed->max_patch_grid);
   }
-  constexpr std::size_t kMostPlanes = 31, kMostLooks = 103, kMostTables = 15;
+  constexpr std::size_t kMostPlanes = 15, kMostLooks = 103, kMostTables = 15;
   Budget budget{.width = screen.width, .height = screen.height};
   budget.walker = Walker::edges;
   if (view.has_patches()) {
@@ -134,8 +134,8 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   }
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
-  budget.planes = cache_for(view.face_count() / 2, kMostPlanes);  // of closed meshes half the faces are seen
-  // Of a patch any number of cells are seen.
+  // Of closed meshes half the faces are seen, of a patch any number of cells.
+  budget.planes = cache_for(view.face_count() / 2 / PlaneCache::kReachesPerPlane, kMostPlanes);
   budget.looks = static_cast<std::uint16_t>(view.has_patches() ? kMostLooks
                                                                : std::min<std::size_t>(view.face_count(), kMostLooks));
   budget.tables = cache_for(materials - 1, kMostTables);
@@ -144,20 +144,22 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
 
 namespace {
 
+constexpr std::size_t kPlaneBytes = sizeof(CachedPlane) + PlaneCache::kReachesPerPlane * sizeof(DepthReach);
+
 // What MeshPools and SmoothPools take of it, with their sinks.
 std::size_t whole_bytes(const Budget& b) {
   const std::size_t vertex = sizeof(ScreenXY) + sizeof(std::uint16_t) + (b.gouraud ? sizeof(Brightness) : 0);
   const std::size_t face = b.gouraud ? sizeof(std::uint8_t) : sizeof(std::uint16_t);
   const std::size_t smooth = b.gouraud ? (b.looks + 1u) * sizeof(FaceLook) + (b.tables + 1u) * sizeof(ColorTable) : 0;
   return (b.vertices + 1u) * vertex + (b.facets + 1u) * face + (b.height + 1u) * sizeof(std::uint16_t) +
-         2 * (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * sizeof(CachedPlane) + smooth + kPadding;
+         2 * (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
 }
 
 // What BandPools and SmoothPools take of it whatever its band_vertices and looks are.
 std::size_t band_bytes(const Budget& b) {
   const std::size_t smooth = b.gouraud ? (b.tables + 1u) * sizeof(ColorTable) + LookChains::heads_for(b.facets) : 1;
   return (BitPool::words_for(b.facets) + 1u) * sizeof(std::uint32_t) + (b.vertices + 1u) + (b.band_lines + 1u) +
-         (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * sizeof(CachedPlane) + smooth + kPadding;
+         (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
 }
 
 }  // namespace
@@ -175,8 +177,8 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
     if (!needed) return std::nullopt;
     raise(budget.edges, needed->max_edges);
   }
-  const std::size_t few_planes = std::bit_floor(budget.edges / 11u + 1) - 1;
-  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>({few_planes, fitted.planes, 7}));
+  const std::size_t few_planes = std::bit_floor(budget.edges / 22u + 1) - 1;
+  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>({few_planes, fitted.planes, 3}));
   budget.band_lines = std::min<std::uint16_t>(fitted.height, 64);
   const std::size_t look = fitted.gouraud ? sizeof(FaceLook) + 1 : sizeof(FaceColor);
   const std::size_t taken = band_bytes(budget) + sizeof(BandVertex);
@@ -191,7 +193,7 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
   budget.band_vertices = static_cast<std::uint16_t>(
       std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost));
   const std::size_t rest = left - looks * look - budget.band_vertices * sizeof(BandVertex);
-  const std::size_t planes = std::bit_floor(budget.planes + 1 + rest / sizeof(CachedPlane)) - 1;
+  const std::size_t planes = std::bit_floor(budget.planes + 1 + rest / kPlaneBytes) - 1;
   budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>(planes, fitted.planes));
   return budget;
 }

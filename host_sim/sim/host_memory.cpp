@@ -104,6 +104,7 @@ void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
   walker.buckets = take<std::uint16_t>(lines);
   for (PoolRef<ActiveEdge>& edges : walker.edges) edges = take<ActiveEdge>(sizes.edges);
   walker.planes = take<CachedPlane>(sizes.planes);
+  walker.reaches = take<DepthReach>(PlaneCache::reaches_for(sizes.planes));
   storage_.mesh.faces = take<std::uint16_t>(sizes.gouraud ? kNoBlocks : sizes.facets);
   storage_.mesh.slots = take<std::uint8_t>(sizes.gouraud ? sizes.facets : kNoBlocks);
   storage_.mesh.levels = take<Brightness>(sizes.gouraud ? sizes.vertices : kNoBlocks);

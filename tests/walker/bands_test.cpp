@@ -26,11 +26,13 @@ struct BandMemory {
         links(sizes.looks + 1u),
         edges(sizes.edges + 1u),
         planes(sizes.planes + 1u),
+        reaches(PlaneCache::reaches_for(sizes.planes) + 1u),
         looks(sizes.looks + 1u),
         tables(sizes.tables + 1u) {
     storage.screen = screen;
     storage.mesh.walker.edges[0] = ref(edges);
     storage.mesh.walker.planes = ref(planes);
+    storage.mesh.walker.reaches = ref(reaches);
     storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors), ref(heads), ref(links)};
     if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
   }
@@ -47,6 +49,7 @@ struct BandMemory {
   std::vector<std::uint8_t> heads, links;
   std::vector<ActiveEdge> edges;
   std::vector<CachedPlane> planes;
+  std::vector<DepthReach> reaches;
   std::vector<FaceLook> looks;
   std::vector<ColorTable> tables;
   FrameStorage storage{};

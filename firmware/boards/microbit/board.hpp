@@ -18,7 +18,7 @@ class Board : public EmulatedBoard<128, 64, PixelFormat::grey4> {
   static constexpr Budget few_looks(const Budget& asked) {
     Budget budget = asked;
     budget.looks = 31;
-    budget.planes = at_most(asked.planes, 15);
+    budget.planes = at_most(asked.planes, 7);
     return budget;
   }
   // Short bands, no vertex kept, what one line needs.

@@ -78,6 +78,7 @@ struct BandLines<kTaps, kPaint>::Planes {
 
   DepthPlane operator()(FaceId face) const { return mesh.plane(face); }
   FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.rows_.nearest(set, cache); }
+  FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const { return mesh.rows_.nearer(a, b, cache); }
 };
 
 template <bool kTaps, Paint kPaint>

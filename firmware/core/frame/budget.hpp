@@ -55,7 +55,8 @@ struct Budget {
   // likewise any number, 17 bytes each and a byte for each of 256 faces; without gouraud colours of faces, 4 bytes
   // each, a power of two less one.
   std::uint16_t looks = 0, tables = 0;
-  std::uint16_t planes = 31;  // depth planes kept (16 bytes each, one more than that): a power of two less one
+  // Depth planes kept, a power of two less one; one more is there, and with each how far four faces reach: 40 bytes.
+  std::uint16_t planes = 15;
   // Instances that are compared with the frame before, so that lines on which nothing has moved are not drawn again
   // (ChangedLines), 76 bytes each, and a bit a line; 0: every line is drawn in every frame.
   std::uint16_t kept_instances = 0;

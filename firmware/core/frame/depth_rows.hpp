@@ -28,6 +28,13 @@ class DepthRows {
   // The face of the set that is in front of all others wherever both are, as can be told from how far their corners
   // lie ahead; 0 where that takes planes.
   FaceId nearest(const OverlapSet& set, PlaneCache& cache);
+  // Likewise of two faces.
+  FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) {
+    const DepthReach of_a = reach_of(a, cache);  // the other one may take its place
+    const DepthReach& of_b = reach_of(b, cache);
+    if (apart(of_a.farthest, of_b.nearest)) return a;
+    return apart(of_b.farthest, of_a.nearest) ? b : FaceId{0};
+  }
 
  private:
   // The instance of a face that was asked for, as far as it is used here.
@@ -47,18 +54,27 @@ class DepthRows {
   void find(std::uint32_t face);
   template <typename PointOf>
   DepthPlane plane_by(std::uint32_t face, const PointOf& point_of);
-  void reach(std::uint32_t face, DepthReach& to);
-  bool apart(std::int32_t farthest, std::int32_t nearest) const;
+  [[gnu::noinline]] void reach(std::uint32_t face, DepthReach& to);
+  const DepthReach& reach_of(FaceId face, PlaneCache& cache) {
+    return cache.reach(face, [this, face](DepthReach& to) { reach(face - 1u, to); });
+  }
+  // Whether what lies no farther than `farthest` is in front of what lies no nearer than `nearest` by any planes. Those
+  // are off by less than half a unit of depth (of 65536) each and depths by less than a tenth, so two units between
+  // near / farthest and near / nearest will do: near * (nearest - farthest) * 2^15 >= farthest * nearest. In a reach's
+  // units; as `farthest` is above 0, what is `nearest` below it is not in front.
+  bool apart(std::int32_t farthest, std::int32_t nearest) const {
+    return near_ * (nearest - farthest) >
+           static_cast<std::int32_t>(static_cast<std::uint32_t>(farthest * nearest) >> 14);
+  }
 
   InstanceCursor cursor_;
   const CameraRecord* camera_ = nullptr;
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
   Normaliser normaliser_;
-  Instance at_, other_;            // asked for last, and before that: where two overlap, their faces come by turns
-  std::int32_t near_ = 0;          // the near plane, in the rough row's units
-  std::int32_t surely_apart_ = 0;  // likewise: what lies so much ahead of other things is in front
-  std::int32_t farthest_ = 0;      // w of any position there might be, Q16.16
+  Instance at_, other_;        // asked for last, and before that: where two overlap, their faces come by turns
+  std::int32_t near_ = 0;      // the near plane, in units of 2^15 of the rough row's
+  std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
 };
 
 }  // namespace spanline

@@ -76,8 +76,13 @@ struct PatchLines<kTaps, kPaint>::Planes {
     lines.planes_made_ = true;
     return {lines.grids_.ramp(face, line), 0};
   }
+  static constexpr std::uint32_t kUnit = 1u << (kDepthBits - 16);
+  FaceId nearer(FaceId a, FaceId b, PlaneCache&) const {
+    const PatchGrids::DepthRange of_a = lines.grids_.depth_range(a), of_b = lines.grids_.depth_range(b);
+    if (of_a.least > of_b.most + kUnit) return a;
+    return of_b.least > of_a.most + kUnit ? b : FaceId{0};
+  }
   FaceId nearest(const OverlapSet& set, PlaneCache&) const {
-    constexpr std::uint32_t kUnit = 1u << (kDepthBits - 16);
     FaceId face = 0;
     std::uint32_t least = 0, most = 0, others = 0;  // the face's own depths; the largest of the others
     for (unsigned i = 0; i < set.count(); ++i) {

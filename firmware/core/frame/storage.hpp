@@ -191,7 +191,12 @@ class MeshPools {
       storage.patches.grid = grid_.ref();
       storage.patches.tolerance = kBudget.patch_tolerance;
     }
-    storage.mesh = {{points_.ref(), links_.ref(), buckets_.ref(), {edges_[0].ref(), edges_[1].ref()}, planes_.ref()},
+    storage.mesh = {{points_.ref(),
+                     links_.ref(),
+                     buckets_.ref(),
+                     {edges_[0].ref(), edges_[1].ref()},
+                     planes_.ref(),
+                     reaches_.ref()},
                     faces_.ref(),
                     slots_.ref(),
                     levels_.ref()};
@@ -205,6 +210,7 @@ class MeshPools {
   Pool<std::uint8_t, kBudget.gouraud ? kBudget.facets : 0> slots_;
   Pool<ActiveEdge, kBudget.edges> edges_[2];
   Pool<CachedPlane, kBudget.planes> planes_;
+  Pool<DepthReach, PlaneCache::reaches_for(kBudget.planes)> reaches_;
   Pool<Brightness, kBudget.gouraud ? kBudget.vertices : 0> levels_;
   struct NoGrid {};
   [[no_unique_address]] std::conditional_t<kBudget.patch_grid != 0, Pool<GridVertex, kBudget.patch_grid>, NoGrid> grid_;
@@ -217,6 +223,7 @@ class BandPools {
   void add_to(FrameStorage& storage) {
     storage.mesh.walker.edges[0] = edges_.ref();
     storage.mesh.walker.planes = planes_.ref();
+    storage.mesh.walker.reaches = reaches_.ref();
     storage.bands = {drawn_.ref(),  keys_.ref(),  vertices_.ref(), buckets_.ref(),
                      colors_.ref(), heads_.ref(), links_.ref()};
   }
@@ -228,6 +235,7 @@ class BandPools {
   Pool<std::uint8_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets_;
   Pool<ActiveEdge, kBudget.edges> edges_;
   Pool<CachedPlane, kBudget.planes> planes_;
+  Pool<DepthReach, PlaneCache::reaches_for(kBudget.planes)> reaches_;
   Pool<FaceColor, kBudget.gouraud ? 0 : kBudget.looks> colors_;
   Pool<std::uint8_t, kBudget.gouraud ? LookChains::heads_for(kBudget.facets) - 1 : 0> heads_;
   Pool<std::uint8_t, kBudget.gouraud ? kBudget.looks : 0> links_;

@@ -21,11 +21,6 @@ struct DepthPlane {
 };
 DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen);
 
-// Where a face lies along the view: no corner is nearer or farther. The maker's units.
-struct DepthReach {
-  std::int32_t nearest, farthest;
-};
-
 // The plane of a face of the scene, a triangle that the view does not clip. Makes it the reader's current face.
 DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen);
 

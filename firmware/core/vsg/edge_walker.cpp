@@ -133,36 +133,19 @@ struct EdgeWalker::Column {
   }
 };
 
-// Brings the set of faces up to date with the edges in the column that the walk has come to. Of two faces mostly one
-// begins there, and the key knows the other.
+// Brings the set of faces up to date with the edges in the column that the walk has come to, which are several. Of two
+// faces mostly one begins there, and the key knows the other.
 void EdgeWalker::gather_overlap() {
   const CoverKey key = walk_.key;
-  const bool two = key >> kCoverCount == 2;
-  const auto pair = [this, key](FaceId face) { overlap_.set(face, static_cast<FaceId>(key - face)); };
-  if (two) [[likely]] {
-    if (const FaceId face = begun_alone(); face != 0) return pair(face);
-  }
   const Column here = column();
-  if (two) {
-    if (const FaceId face = here.begins(); face != 0) return pair(face);
+  if (key >> kCoverCount == 2) {
+    if (const FaceId face = here.begins(); face != 0) return overlap_.set(face, static_cast<FaceId>(key - face));
   }
   // The order of edges in one column is not that of their faces: only between columns is the key what it says.
   CoverKey before = key;
   here.each([&before](const ActiveEdge& e) { before -= e.toggle; });
   if (before < kTwoFaces) overlap_.set(only_face(before));
   here.each([this](const ActiveEdge& e) { overlap_.toggle(e); });
-}
-
-// The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
-inline FaceId EdgeWalker::begun_alone() const {
-  const std::int32_t left = walk_.left;
-  const auto at_left = [this, left](const ActiveEdge* end) {  // before those that begin is a sentinel
-    return end != walk_.now && end[-1].column() == left;
-  };
-  const bool of_other = at_left(walk_.other);
-  const ActiveEdge* const end = of_other ? walk_.other : walk_.edge;
-  if (left == 0 || at_left(of_other ? walk_.edge : end - 1)) return 0;  // what lies left of the screen is at 0, too
-  return of_other && at_left(end - 1) ? FaceId{0} : end[-1].beginning();
 }
 
 // The edges in the column that the walk has come to.

@@ -20,6 +20,7 @@ struct EdgeStorage {
   PoolRef<ActiveEdge> edges[2];    // this line's edges and those that begin on it; the next line's: one at least,
                                    // kMostEdges are used. In place: all in one, and no pool for the next line
   PoolRef<CachedPlane> planes;     // any number
+  PoolRef<DepthReach> reaches;     // likewise
 };
 
 // Each face over a pixel has an edge on the line, and with more of them the sum that is a CoverKey would come round.
@@ -41,7 +42,7 @@ class EdgeWalker {
         points_(storage.points),
         pool_(storage.edges[0].sink()),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
-        planes_(storage.planes),
+        planes_(storage.planes, storage.reaches),
         screen_(screen) {
     walk_.now = pool_;
     walk_.begin = storage.edges[1].sink();
@@ -88,7 +89,8 @@ class EdgeWalker {
   template <bool kInPlace = false, typename Feed>
   bool start_fed(const Feed& feed);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
-  // face that is nearer than every other one wherever both are, or 0 where that takes planes.
+  // face that is nearer than every other one wherever both are, or 0 where that takes planes; plane.nearer(FaceId,
+  // FaceId, PlaneCache&) likewise of two.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   // In place the next line's edges overwrite those that the walk has passed. Leaves room before those, so that none is
@@ -102,7 +104,7 @@ class EdgeWalker {
     return ends == 0 ? edge.beginning() : ends;
   }
   // Forgets the planes made so far.
-  void forget_planes() { planes_.clear(); }
+  void forget_planes() { planes_.clear_planes(); }
 
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
   std::uint32_t edge_capacity() const { return capacity_; }
@@ -138,15 +140,16 @@ class EdgeWalker {
   [[gnu::noinline]] WalkStop go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
                                    const Again& again);
   template <typename Sink, typename Plane, typename Again>
-  [[gnu::noinline]] void cut_off(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
+  [[gnu::cold, gnu::noinline]] void cut_off(std::int32_t line, const Sink& sink, const Plane& plane,
+                                            const Again& again);
   struct Column;
   Column column() const;
   FaceId begun_alone() const;
-  void gather_overlap();
+  [[gnu::cold]] void gather_overlap();
   template <typename Sink, typename Plane>
   FaceId front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
   template <typename Sink, typename Plane>
-  [[gnu::noinline]] FaceId resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
+  [[gnu::noinline]] FaceId front_of_set(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
   InstanceCursor cursor_;
   FanStart fans_{};      // of the mesh that was reached last
@@ -185,30 +188,57 @@ bool EdgeWalker::start_fed(const Feed& feed) {
   return room;
 }
 
+// The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
+inline FaceId EdgeWalker::begun_alone() const {
+  const std::int32_t left = walk_.left;
+  const auto at_left = [this, left](const ActiveEdge* end) {  // before those that begin is a sentinel
+    return end != walk_.now && end[-1].column() == left;
+  };
+  const bool of_other = at_left(walk_.other);
+  const ActiveEdge* const end = of_other ? walk_.other : walk_.edge;
+  if (left == 0 || at_left(of_other ? walk_.edge : end - 1)) return 0;  // what lies left of the screen is at 0, too
+  return of_other && at_left(end - 1) ? FaceId{0} : end[-1].beginning();
+}
+
 // The face that is in front of the others all over the span of several faces that the walk has come to; 0: there is
 // none, and the span has been shown.
 template <typename Sink, typename Plane>
 inline FaceId EdgeWalker::front(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
-  gather_overlap();
+  const CoverKey key = walk_.key;
+  FaceId a = key >> kCoverCount == 2 ? begun_alone() : FaceId{0}, b = static_cast<FaceId>(key - a);
+  if (a != 0) [[likely]] {
+    overlap_.set(a, b);
+  } else {
+    gather_overlap();
+    if (overlap_.count() != 2) [[unlikely]]
+      return front_of_set(line, right, sink, plane);
+    a = overlap_[0];
+    b = overlap_[1];
+  }
+  if (const FaceId face = plane.nearer(a, b, planes_); face != 0) [[likely]]
+    return face;
+  return front_of_set(line, right, sink, plane);
+}
+
+// The same where it takes planes, or there are more than two faces.
+template <typename Sink, typename Plane>
+FaceId EdgeWalker::front_of_set(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
   // A face that the set had no room for would be put in where it ends, and be painted from there on.
   if (overlap_.overflow()) [[unlikely]]
     return 0;
-  if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) [[likely]]
-    return face;
-  return resolve(line, right, sink, plane);
-}
-
-// The same where it takes planes.
-template <typename Sink, typename Plane>
-FaceId EdgeWalker::resolve(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane) {
   const auto ramp_of = [&](FaceId face) {
     const DepthPlane& p = planes_.of(face, plane);
     return p.on_line(line);
   };
-  const auto show = [&](std::int32_t begin, std::int32_t end, FaceId face, const DepthRamp& ramp) {
-    sink.front(begin, end, face, ramp);
-  };
-  return resolve_overlap(overlap_, walk_.left, right, ramp_of, show);
+  const std::int32_t left = walk_.left;
+  const FaceId face = overlap_.count() == 2 ? nearer_by_ramps(overlap_[0], overlap_[1], left, right, ramp_of)
+                                            : plane.nearest(overlap_, planes_);
+  if (face != 0) [[likely]]
+    return face;
+  return resolve_overlap(overlap_, left, right, ramp_of,
+                         [&sink](std::int32_t begin, std::int32_t end, FaceId shown, const DepthRamp& ramp) {
+                           sink.front(begin, end, shown, ramp);
+                         });
 }
 
 template <typename Sink, typename Plane, typename Again>
@@ -263,8 +293,11 @@ void EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane
     if (column > walk.left) {
       if (walk.key < kTwoFaces) {
         sink.one(walk.left, column, only_face(walk.key));
-      } else if (const FaceId face = front(line, column, sink, plane); face != 0) {
-        sink.one(walk.left, column, face);
+      } else {
+        gather_overlap();
+        FaceId face = plane.nearest(overlap_, planes_);
+        if (face == 0) face = front_of_set(line, column, sink, plane);
+        if (face != 0) sink.one(walk.left, column, face);
       }
       walk.left = column;
     }

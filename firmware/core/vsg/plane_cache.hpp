@@ -7,54 +7,66 @@
 
 namespace spanline {
 
-// What is known of the depth of a face that another one overlaps: how far it reaches or, where that did not do, its
-// plane.
-struct CachedPlane {
-  CachedPlane() : reach{} {}
-
-  union {
-    DepthReach reach;
-    DepthPlane plane;
-  };
-  std::uint32_t face = 0;  // FaceId; and kReach
-
-  static constexpr std::uint32_t kReach = 1u << 16;
+// Where a face lies along the view: no corner is nearer or farther. The maker's units.
+struct DepthReach {
+  FaceId face = 0;
+  std::int16_t nearest = 0, farthest = 0;
 };
-static_assert(sizeof(CachedPlane) == 16);
 
-// The planes made last, each in the place that its face's number gives it.
+struct CachedPlane {
+  DepthPlane plane;
+  std::uint32_t face = 0;  // FaceId
+};
+static_assert(sizeof(CachedPlane) == 16 && sizeof(DepthReach) == 6);
+
+// What is known of the depth of faces that others overlap: how far those met last reach and, of some of them, their
+// planes, each in the place that its face's number gives it.
 class PlaneCache {
  public:
+  // Mostly a face's reach will do.
+  static constexpr std::uint32_t kReachesPerPlane = 4;
+  static constexpr std::uint16_t reaches_for(std::uint16_t planes) {
+    return static_cast<std::uint16_t>((planes + 1u) * kReachesPerPlane - 1);
+  }
+
   PlaneCache() = default;
-  explicit PlaneCache(PoolRef<CachedPlane> planes)
-      : planes_(planes), mask_(std::bit_floor(static_cast<std::uint32_t>(planes.capacity()) + 1u) - 1u) {}
+  PlaneCache(PoolRef<CachedPlane> planes, PoolRef<DepthReach> reaches)
+      : planes_(planes), reaches_(reaches), mask_(mask_of(planes)), reach_mask_(mask_of(reaches)) {}
 
   void clear() {
+    clear_planes();
+    for (std::uint32_t i = 0; i <= reach_mask_; ++i) reaches_[i].face = 0;
+  }
+  void clear_planes() {
     for (std::uint32_t i = 0; i <= mask_; ++i) planes_[i].face = 0;
   }
 
   // The face's plane; make(face) where it is not here. Valid until the next call.
   template <typename Make>
   const DepthPlane& of(FaceId face, const Make& make) {
-    CachedPlane& entry = planes_[face & mask_];
+    CachedPlane& entry = planes_[place(face) & mask_];
     if (entry.face != face) [[unlikely]]
       keep(entry, face, make);
     return entry.plane;
   }
-  // Likewise how far it reaches, which make(face, reach) says; nullptr where its plane is here.
+  // How far it reaches; make(DepthReach&) where that is not here. Likewise.
   template <typename Make>
-  const DepthReach* reach(FaceId face, const Make& make) {
-    CachedPlane& entry = planes_[face & mask_];
-    const std::uint32_t tag = face | CachedPlane::kReach;
-    if (entry.face != tag) [[unlikely]] {
-      if (entry.face == face) return nullptr;
-      entry.face = tag;
-      make(face, entry.reach);
+  const DepthReach& reach(FaceId face, const Make& make) {
+    DepthReach& entry = reaches_[place(face) & reach_mask_];
+    if (entry.face != face) [[unlikely]] {
+      make(entry);
+      entry.face = face;
     }
-    return &entry.reach;
+    return entry;
   }
 
  private:
+  // Faces of strips that run beside each other differ by strips' lengths, which are often even.
+  static std::uint32_t place(FaceId face) { return face ^ face >> 3; }
+  template <typename T>
+  static std::uint32_t mask_of(const PoolRef<T>& pool) {
+    return std::bit_floor(static_cast<std::uint32_t>(pool.capacity()) + 1u) - 1u;
+  }
   template <typename Make>
   [[gnu::noinline]] static void keep(CachedPlane& entry, FaceId face, const Make& make) {
     entry.plane = make(face);
@@ -62,7 +74,8 @@ class PlaneCache {
   }
 
   PoolRef<CachedPlane> planes_;
-  std::uint32_t mask_ = 0;
+  PoolRef<DepthReach> reaches_;
+  std::uint32_t mask_ = 0, reach_mask_ = 0;
 };
 
 }  // namespace spanline
