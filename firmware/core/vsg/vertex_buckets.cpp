@@ -3,10 +3,12 @@
 namespace spanline {
 
 void VertexBuckets::Mesh::file(std::uint32_t count) {
-  const ScreenXY* point = &buckets_.points_[first_];
+  const ScreenXY* point = &buckets_.points_[first_] + count;
   const std::int32_t top = buckets_.top_, bottom = buckets_.bottom_;
   std::uint16_t* const buckets = &buckets_.at(top);
-  for (std::uint16_t *link = links_, *const end = link + count; link != end; ++link, ++point) {
+  for (std::uint16_t* link = links_ + count; link != links_;) {
+    --link;
+    --point;
     if (*link == kNotMarked) continue;
     const std::int32_t line = first_centre(point->y);
     if (line >= bottom) continue;

@@ -64,27 +64,32 @@ class VertexBuckets {
 };
 
 inline std::uint16_t VertexBuckets::sorted(std::int32_t line) {
-  if (line == top_) return at(line);
-  std::uint16_t first = kEnd, hint = kEnd;
-  std::int32_t first_x = INT32_MAX;
-  for (std::uint16_t vertex = at(line); vertex != kEnd;) {
-    const std::uint16_t rest = links_[vertex];
-    const std::int32_t x = points_[vertex].x;
+  std::uint16_t* const links = links_.sink();
+  const ScreenXY* const points = points_.sink();
+  std::uint16_t first = at(line), last = first, hint = first;
+  if (line == top_ || first == kEnd) return first;
+  std::int32_t first_x = points[first].x, last_x = first_x;
+  for (std::uint16_t vertex; (vertex = links[last]) != kEnd; hint = vertex) {
+    const std::int32_t x = points[vertex].x;
+    if (x >= last_x) {
+      last = vertex;
+      last_x = x;
+      continue;
+    }
+    links[last] = links[vertex];
     if (x <= first_x) {
-      links_[vertex] = first;
+      links[vertex] = first;
       first = vertex;
       first_x = x;
-    } else {
-      std::uint16_t before = points_[hint].x <= x ? hint : first, after = links_[before];
-      while (after != kEnd && points_[after].x < x) {
-        before = after;
-        after = links_[after];
-      }
-      links_[vertex] = after;
-      links_[before] = vertex;
+      continue;
     }
-    hint = vertex;
-    vertex = rest;
+    std::uint16_t before = points[hint].x <= x ? hint : first, after = links[before];
+    while (points[after].x < x) {  // the last one is not
+      before = after;
+      after = links[after];
+    }
+    links[vertex] = after;
+    links[before] = vertex;
   }
   return first;
 }
