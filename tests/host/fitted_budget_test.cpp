@@ -75,7 +75,7 @@ TEST(FittedBudget, KnowsWhatTheEdgeWalkerDraws) {
   EXPECT_EQ(budget->walker, Walker::edges);
   EXPECT_EQ(budget->facets, 992);
   EXPECT_EQ(budget->vertices, scene.meshes().front().positions.size());
-  EXPECT_EQ(budget->planes, 31);
+  EXPECT_EQ(budget->planes, 15);
   CompiledScene gears = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/clockwork.json"));
   EXPECT_FALSE(fitted_edge_budget(gears, 0, 0));  // faces of many corners
 }
