@@ -1,5 +1,5 @@
 // The Utah teapot as Newell made it, 32 Bezier patches of 16 control points: diced anew for every picture, so its
-// outline is smooth on any screen. Spout and lid let one see inside.
+// outline is smooth on any screen. Backs are left out, so that the edge walker draws it.
 #pragma once
 
 #include "demos/demo.hpp"
@@ -12,16 +12,12 @@ namespace spanline::demos {
 
 inline constexpr Layouts::Layout kPatchesLarge{{&patches_scene::scene, &patches_scene::camera, &patches_scene::kTarget,
                                                 patches_scene::kOrigins, patches_scene::kWidth, patches_scene::kHeight},
-                                               {.facets = 400,
+                                               {.facets = 0,
                                                 .vertices = 0,
-                                                .polygons = 128,
-                                                .edges = 64,
-                                                .segments = 128,
-                                                .active = 24,
-                                                .samples = 48,
-                                                .implied = 8,
-                                                .patch_facets = 400,
-                                                .patch_vertices = 640}};
+                                                .edges = 80,
+                                                .patch_grid = 1700,
+                                                .walker = Walker::edges,
+                                                .scan_out = ScanPolicy::tiles}};
 
 inline constexpr Layouts patches{
     "patches",
@@ -33,16 +29,6 @@ inline constexpr Layouts patches{
      kPatchesLarge.budget},
     {{&patches_small_scene::scene, &patches_small_scene::camera, &patches_small_scene::kTarget,
       patches_small_scene::kOrigins, patches_small_scene::kWidth, patches_small_scene::kHeight},
-     {.facets = 80,
-      .vertices = 0,
-      .polygons = 80,
-      .edges = 16,
-      .segments = 80,
-      .active = 12,
-      .samples = 32,
-      .implied = 0,
-      .patch_facets = 80,
-      .patch_vertices = 244,
-      .gouraud = false}}};
+     {.facets = 0, .vertices = 0, .edges = 60, .patch_grid = 600, .gouraud = false, .walker = Walker::edges}}};
 
 }  // namespace spanline::demos

@@ -40,7 +40,8 @@ Status draw_lines(const demos::Demo& demo, const demos::Stage& stage, const Engi
 Status draw_surfaces(const demos::Demo& demo, const demos::Stage& stage, const EngineOptions& given, Picture& picture) {
   EngineOptions options = given;
   options.pools = pools_of(demo.budget);
-  options.walker = demo.budget.walker;
+  // Of the host's engines, the one with both walkers draws patches by edges.
+  options.walker = demo.budget.patch_grid != 0 ? Walker::both : demo.budget.walker;
   Rendering rendering;
   const Status drawn = Engine::make(options)->render(stage.view(), stage.camera(), rendering);
   picture = std::move(rendering.picture);
