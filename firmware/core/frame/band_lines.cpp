@@ -4,5 +4,13 @@ namespace spanline {
 
 template class BandLines<false, Paint::flat_words>;
 template class BandLines<false, Paint::smooth_words>;
+template Status BandLines<false, Paint::flat_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                           AllLines&);
+template Status BandLines<false, Paint::flat_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                           ChangedLines&);
+template Status BandLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                             AllLines&);
+template Status BandLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                             ChangedLines&);
 
 }  // namespace spanline

@@ -14,7 +14,8 @@ class BandLines {
 
   // As MeshLines: the same scenes, the same pictures. Where an edge, or a line's faces, have no room the status is the
   // same, too; vertices always have.
-  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr);
+  template <typename Changes>
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, Changes& changes);
   bool next(std::uint16_t line, Painter& painter, const SpanTap& tap);
   Status shortage() const;
 

@@ -96,10 +96,11 @@ BandLines<kTaps, kPaint>::BandLines(const FrameStorage& storage)
 }
 
 template <bool kTaps, Paint kPaint>
+template <typename Changes>
 Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
-                                       ChangedLines* changes) {
-  const bool still = changes == nullptr || changes->still();
-  if (ready_ && still && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
+                                       Changes& changes) {
+  if (ready_ && changes.still() && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_)
+    return {};
   ready_ = false;
   scene_ = scene;
   camera_ = camera;
@@ -107,12 +108,12 @@ Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
   clear(top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) == 0 && !cull(at)) {
-      return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", at.index()};
+      return beyond_view(at.index());
     }
   }
   line_ = top;
   plan(top);
-  if (changes != nullptr) changes->geometry_kept();
+  changes.geometry_kept();
   ready_ = true;
   return {};
 }
@@ -132,7 +133,10 @@ Status BandLines<kTaps, kPaint>::check() const {
       smooth() && looks_.most_faces() < drawn_.capacity() ? looks_.most_faces() : drawn_.capacity();
   if (scene_.face_count() > faces) return short_of("facets", scene_.face_count(), faces);
   if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
-  return check_meshes(scene_, smooth());
+  if (smooth()) {
+    if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
+  }
+  return check_meshes(scene_);
 }
 
 // Forgets the frame before.

@@ -46,6 +46,7 @@ class ChangedLines {
   // The next frame is compared with none.
   void forget() { keeps_ = false; }
 
+  static constexpr bool kKeepsGeometry = true;
   // Whether an instance has moved, or the camera has, since geometry_kept() was last said; whether nothing has.
   bool moved(std::uint32_t instance) const { return !keeps_ || instances_[instance].moved; }
   bool still() const { return still_; }
@@ -71,12 +72,16 @@ class ChangedLines {
 
 // Where every line is drawn in every frame.
 struct AllLines {
+  static constexpr bool kKeepsGeometry = false;
   AllLines(const ChangesStorage&, const Screen&) {}
   void begin_frame(const SceneView&, const CameraRecord&) {}
   Band next(Band rest) const { return rest; }
   void drawn(std::uint16_t) {}
   void redraw(Band) {}
   void forget() {}
+  bool moved(std::uint32_t) const { return true; }
+  bool still() const { return true; }
+  void geometry_kept() {}
 };
 
 }  // namespace spanline

@@ -12,7 +12,8 @@ class EdgeLines {
   explicit EdgeLines(const FrameStorage& storage) : mesh_(storage), patches_(storage) {}
 
   // As MeshLines.
-  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr) {
+  template <typename Changes>
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, Changes& changes) {
     of_patches_ = scene.has_patches();
     return of_patches_ ? patches_.begin(scene, camera, top) : mesh_.begin(scene, camera, top, changes);
   }

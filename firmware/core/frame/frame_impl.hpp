@@ -131,9 +131,7 @@ Band Frame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera
   }
   begin_curves(rest);
   if constexpr (kOptions.walker == Walker::both) {
-    ChangedLines* changes = nullptr;
-    if constexpr (kOptions.changes) changes = &changes_;
-    if (!had_segments && mesh_.begin(scene_, camera_, rest.top, changes).ok()) return band_ = rest;
+    if (!had_segments && mesh_.begin(scene_, camera_, rest.top, changes_).ok()) return band_ = rest;
   }
   if (!had_segments) read_vertices();
   band_ = {rest.top, plan(rest.top, rest.bottom)};

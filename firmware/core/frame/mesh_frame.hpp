@@ -45,8 +45,8 @@ class MeshFrame {
 
  private:
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
-    if constexpr (kChanges && requires { mesh_.begin(scene, camera, top, &changes_); }) {
-      return mesh_.begin(scene, camera, top, &changes_);
+    if constexpr (requires { mesh_.begin(scene, camera, top, changes_); }) {
+      return mesh_.begin(scene, camera, top, changes_);
     } else {
       return mesh_.begin(scene, camera, top);
     }

@@ -33,20 +33,10 @@ namespace spanline {
   return {Code::bad_argument, "line", out.size() < bytes ? "size" : "alignment", 0, line, out.size(), bytes};
 }
 
-[[gnu::cold]] Status check_meshes(const SceneView& scene, bool smooth) {
+[[gnu::cold]] Status check_meshes(const SceneView& scene) {
   const SceneRecord& record = scene.scene();
   if (!record.reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
   if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
-  if (smooth) {
-    const std::uint32_t materials = record.materials.size();
-    if (materials > FaceLook::kUnknown) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
-    bool gouraud = false;
-    for (const MaterialRecord& material : record.materials) {
-      gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
-    }
-    // A smooth triangle would need more than its brightness.
-    if (gouraud && !LightHue(record).one()) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
-  }
   for (InstanceCursor at(record); !at.at_end(); at.next()) {
     const std::uint16_t flags = at.instance().flags;
     if ((flags & InstanceRecord::kHidden) != 0) continue;
@@ -58,6 +48,22 @@ namespace spanline {
   return {};
 }
 
+[[gnu::cold]] Status check_smooth(const SceneRecord& scene) {
+  const std::uint32_t materials = scene.materials.size();
+  if (materials > FaceLook::kUnknown) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
+  bool gouraud = false;
+  for (const MaterialRecord& material : scene.materials) {
+    gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
+  }
+  // A smooth triangle would need more than its brightness.
+  if (gouraud && !LightHue(scene).one()) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
+  return {};
+}
+
+[[gnu::cold]] Status beyond_view(std::uint32_t instance) {
+  return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", instance};
+}
+
 [[gnu::cold]] Status walker_shortage(const EdgeWalker& walker, bool overlaps, std::uint16_t line) {
   const std::uint32_t capacity = overlaps ? OverlapSet::kMost : walker.edge_capacity();
   return {Code::pool_exhausted, overlaps ? "overlaps" : "edges", "", 0, line, capacity + 1, capacity};
@@ -66,5 +72,16 @@ namespace spanline {
 template class MeshLines<false>;
 template class MeshLines<false, Paint::flat_words>;
 template class MeshLines<false, Paint::smooth_words>;
+
+template Status MeshLines<false>::begin(const SceneView&, const CameraRecord&, std::uint16_t, AllLines&);
+template Status MeshLines<false>::begin(const SceneView&, const CameraRecord&, std::uint16_t, ChangedLines&);
+template Status MeshLines<false, Paint::flat_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                           AllLines&);
+template Status MeshLines<false, Paint::flat_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                           ChangedLines&);
+template Status MeshLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                             AllLines&);
+template Status MeshLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                             ChangedLines&);
 
 }  // namespace spanline

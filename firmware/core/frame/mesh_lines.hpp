@@ -124,8 +124,12 @@ struct SmoothFaces {
 inline std::uint16_t material_of(const InstanceRecord& instance, const FaceGroup& group) {
   return instance.material == InstanceRecord::kOwnMaterials ? group.material : instance.material;
 }
-// What the edge walker cannot draw of a scene of meshes; `smooth`: Gouraud's materials as such.
-Status check_meshes(const SceneView& scene, bool smooth);
+// What the edge walker cannot draw of a scene of meshes;
+Status check_meshes(const SceneView& scene);
+// nor where Gouraud's materials are drawn as such.
+Status check_smooth(const SceneRecord& scene);
+// Where project() fails.
+Status beyond_view(std::uint32_t instance);
 // What a line lacked that was not walked whole.
 Status walker_shortage(const EdgeWalker& walker, bool overlaps, std::uint16_t line);
 
@@ -136,9 +140,10 @@ class MeshLines {
   MeshLines(const FrameStorage& storage);
 
   // Makes ready the lines from `top` on; costs nothing where they follow the line made last. Fails where the edge
-  // walker cannot draw the scene: the status says which record, or which pool is too small. With ChangedLines, what has
-  // not moved is neither projected nor lit again.
-  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, ChangedLines* changes = nullptr);
+  // walker cannot draw the scene: the status says which record, or which pool is too small. What has not moved by
+  // `changes` (ChangedLines, AllLines) is neither projected nor lit again.
+  template <typename Changes>
+  Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top, Changes& changes);
   bool ready() const { return ready_; }
   void count(Statistics& s) const { s.max_edges = walker_.most_edges(); }  // see Budget::edges
   const SceneRecord& scene() const { return scene_.scene(); }
@@ -153,7 +158,8 @@ class MeshLines {
   struct Sink;
   struct Planes;
 
-  [[gnu::noinline]] Status check(const SceneView& scene) const;
+  [[gnu::noinline]] Status take(const SceneView& scene, const CameraRecord& camera);
+  bool goes_on(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) const;
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
@@ -166,6 +172,7 @@ class MeshLines {
                            const LightRig& rig) const;
   bool give_up(bool overlaps);
   bool project(const InstanceCursor& at);
+  void cull(const InstanceCursor& at);
   template <typename Culled>
   void cull(const InstanceCursor& at, Culled faces);
   void light_faces(const InstanceCursor& at);

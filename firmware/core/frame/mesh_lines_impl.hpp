@@ -37,6 +37,7 @@ struct MeshLines<kTaps, kPaint>::Sink {
   }
   // Sees to the look of a face, and that the brush knows it where it is smooth.
   void learn(FaceId face) const {
+    if (!mesh.smooth()) return;
     const auto make = [this](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
     const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);
     if (look.smooth() && !mesh.brush_.knows(face, look)) {
@@ -107,36 +108,35 @@ template <bool kTaps, Paint kPaint>
 }
 
 template <bool kTaps, Paint kPaint>
+template <typename Changes>
 Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
-                                       ChangedLines* changes) {
-  const bool still = changes == nullptr || changes->still();
-  if (ready_ && still && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_) return {};
-  ready_ = false;
-  scene_ = scene;
-  camera_ = camera;
-  if (const Status status = check(scene); !status.ok()) return status;
+                                       Changes& changes) {
+  ready_ = ready_ && changes.still() && goes_on(scene, camera, top);
+  Status status = ready_ ? Status{} : take(scene, camera);
+  if (ready_ || !status.ok()) return status;
   // What has not moved is not projected again, but as far away as it was.
-  clear(top, changes == nullptr ? 0 : rows_.farthest());
+  clear(top, Changes::kKeepsGeometry ? rows_.farthest() : 0);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;  // no edge leads to its faces
-    if (changes != nullptr && !changes->moved(at.index())) {
-      walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
-      continue;
+    const bool moved = changes.moved(at.index());
+    if (moved && !project(at)) {
+      status = beyond_view(at.index());
+      return status;
     }
-    if (!project(at)) return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", at.index()};
-    const auto first = static_cast<FaceId>(at.first_face() + 1u);
-    if (smooth()) {
-      cull(at, slots_.cull(first));
-    } else {
-      cull(at, words_.cull(first));
-    }
+    if (moved) cull(at);
     walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
-    smooth() ? light_vertices(at) : light_faces(at);
+    if (moved) smooth() ? light_vertices(at) : light_faces(at);
   }
-  if (changes != nullptr) changes->geometry_kept();
+  changes.geometry_kept();
   line_ = top;
   ready_ = true;
-  return {};
+  return status;
+}
+
+// Whether the lines from `top` on follow those made last.
+template <bool kTaps, Paint kPaint>
+bool MeshLines<kTaps, kPaint>::goes_on(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) const {
+  return top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_;
 }
 
 // Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
@@ -154,9 +154,11 @@ template <bool kTaps, Paint kPaint>
   walker_.paint_with(&words_[0], &brush_);
 }
 
-// What the edge walker cannot draw, or not with the pools it has.
+// Makes it the scene to draw; fails where the edge walker cannot, or not with the pools it has.
 template <bool kTaps, Paint kPaint>
-[[gnu::cold]] Status MeshLines<kTaps, kPaint>::check(const SceneView& scene) const {
+[[gnu::cold]] Status MeshLines<kTaps, kPaint>::take(const SceneView& scene, const CameraRecord& camera) {
+  scene_ = scene;
+  camera_ = camera;
   const auto short_of = [](const char* pool, std::uint32_t needed, std::uint32_t capacity) {
     return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
   };
@@ -169,7 +171,10 @@ template <bool kTaps, Paint kPaint>
   if (smooth() && scene.vertex_count() > levels_.capacity()) {
     return short_of("levels", scene.vertex_count(), levels_.capacity());
   }
-  return check_meshes(scene, smooth());
+  if (smooth()) {
+    if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;
+  }
+  return check_meshes(scene);
 }
 
 // How a face looks in a smooth scene, where its word is not a colour.
@@ -253,6 +258,12 @@ bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
 }
 
 // Culls the instance's faces and marks the vertices of those that are left.
+template <bool kTaps, Paint kPaint>
+void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at) {
+  const auto first = static_cast<FaceId>(at.first_face() + 1u);
+  smooth() ? cull(at, slots_.cull(first)) : cull(at, words_.cull(first));
+}
+
 template <bool kTaps, Paint kPaint>
 template <typename Culled>
 void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
