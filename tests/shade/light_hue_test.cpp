@@ -31,7 +31,7 @@ TEST(LightHue, GreyLightIsTheSameInEveryChannel) {
   lights.add({200, 200, 200});
   lights.add({31, 31, 31});
   const LightHue hue(lights.scene);
-  EXPECT_TRUE(hue.one());
+  EXPECT_TRUE(LightHue::is_one(lights.scene));
   for (std::uint32_t sum = 0; sum <= 256; ++sum) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(hue.in(i, sum), sum);
   }
@@ -40,13 +40,13 @@ TEST(LightHue, GreyLightIsTheSameInEveryChannel) {
 TEST(LightHue, IsToldByTheBrightestChannelAndWithoutLightsByAny) {
   Lights lights;
   lights.scene.ambient[0] = 90;
-  EXPECT_TRUE(LightHue(lights.scene).one());
+  EXPECT_TRUE(LightHue::is_one(lights.scene));
   EXPECT_EQ(LightHue(lights.scene).in(0, 90), 90u);
   EXPECT_EQ(LightHue(lights.scene).in(2, 90), 0u);
   lights.add({20, 180, 60});
   const LightHue hue(lights.scene);
-  EXPECT_TRUE(hue.one());
-  EXPECT_EQ(hue.channel(), 1);
+  EXPECT_TRUE(LightHue::is_one(lights.scene));
+  EXPECT_EQ(LightHue::channel(lights.scene), 1);
   EXPECT_EQ(hue.in(0, 90), 100u) << "90 of 180 is half the light";
   EXPECT_EQ(hue.in(2, 90), 30u);
 }
@@ -55,11 +55,11 @@ TEST(LightHue, TwoHuesAreNotOne) {
   Lights lights;
   lights.add({230, 215, 184});
   lights.add({31, 51, 92});
-  EXPECT_FALSE(LightHue(lights.scene).one());
+  EXPECT_FALSE(LightHue::is_one(lights.scene));
   Lights near;
   near.add({230, 215, 184});
   near.add({58, 54, 40});  // 46 would be
-  EXPECT_FALSE(LightHue(near.scene).one());
+  EXPECT_FALSE(LightHue::is_one(near.scene));
 }
 
 TEST(LightHue, OneChannelTellsTheOthersWithinTwoUnits) {
@@ -81,9 +81,8 @@ TEST(LightHue, OneChannelTellsTheOthersWithinTwoUnits) {
       light.direction[random.below(3)].raw = random.percent(50) ? Fx30::kOne : -Fx30::kOne;
     }
     const LightHue told(lights.scene);
-    ASSERT_TRUE(told.one()) << seed;
+    ASSERT_TRUE(LightHue::is_one(lights.scene)) << seed;
     const LightRig rig(lights.scene, Transform::identity());
-    EXPECT_TRUE(rig.one_hue());
     for (int i = 0; i < 40; ++i) {
       const Normal10 normal =
           Normal10::pack(random.between(-295, 295), random.between(-295, 295), random.between(-295, 295));
@@ -91,7 +90,7 @@ TEST(LightHue, OneChannelTellsTheOthersWithinTwoUnits) {
       const int channel[3] = {lit.r, lit.g, lit.b};  // 255 of them are 256 of the light
       if (std::max({channel[0], channel[1], channel[2]}) == 255) continue;
       ++compared;
-      const auto sum = static_cast<std::uint32_t>(std::lround(channel[told.channel()] * 256 / 255.0));
+      const auto sum = static_cast<std::uint32_t>(std::lround(channel[LightHue::channel(lights.scene)] * 256 / 255.0));
       for (int k = 0; k < 3; ++k) ASSERT_NEAR(told.in(k, sum), channel[k] * 256 / 255.0, 2.6) << seed;
     }
   }

@@ -295,7 +295,7 @@ void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
               number,
               &material,
               quick ? mesh.face_normals.data() - before : nullptr,
-              rig.one()};
+              quick ? rig.one() : LightRig::One{}};
 }
 
 // Of a face that is at hand, drawn flat.

@@ -108,7 +108,7 @@ class Frame {
   Room begin_patch_facet(const Patches& patches, std::uint16_t waiting, std::uint16_t line);
   template <typename Patches>
   bool shows_back(const Patches& patches, const DicedFacet& facet) const;
-  bool is_plain(const LightRig& rig, const MaterialRecord& material) const;
+  bool is_plain(const MaterialRecord& material) const;
   bool wait(std::uint16_t face, std::int32_t first_line, std::uint16_t top, std::uint16_t& count);
   bool begin_facets(std::uint16_t line);
   Room begin_facet(std::uint16_t face, std::uint16_t line);
@@ -152,6 +152,7 @@ class Frame {
   using Drawn = std::conditional_t<kOptions.points, PointSource, PatchSource>;
   [[no_unique_address]] std::conditional_t<kOptions.patches, Drawn, NoPatches> patches_;
   KeptLights lights_;
+  bool one_hue_ = true;  // LightHue::is_one()
   VisibleSegments<kOptions> vsg_;
   Painter painter_;
   CurveLayer curves_;

@@ -146,6 +146,7 @@ void Frame<kOptions>::begin_curves(Band rest) {
 template <FrameOptions kOptions>
 void Frame<kOptions>::read_vertices() {
   lights_.forget();
+  one_hue_ = LightHue::is_one(scene_.scene());
   smooth_.clear();
   reader_ = FacetReader(scene_, camera_, screen_, cache_);
   vertices_ = reader_.fill_cache();
@@ -366,7 +367,7 @@ Room Frame<kOptions>::begin_patch_facet(const Patches& patches, std::uint16_t wa
     return add(layered({facet.payload, false}, color, material), [](const Normal10&) { return Rgb8{}; });
   }
   const LightRig& rig = lights();
-  if (Patches::has_plane(facet) && is_plain(rig, material)) {
+  if (Patches::has_plane(facet) && is_plain(material)) {
     return add(layered({index, false, true}, {}, material), [](const Normal10&) { return Rgb8{}; });
   }
   const bool flip = shows_back(patches, facet);
@@ -384,9 +385,9 @@ bool Frame<kOptions>::shows_back(const Patches& patches, const DicedFacet& facet
 
 // Whether brightness alone tells the colours of a Gouraud material; layers are made of colours along edges.
 template <FrameOptions kOptions>
-bool Frame<kOptions>::is_plain(const LightRig& rig, const MaterialRecord& material) const {
+bool Frame<kOptions>::is_plain(const MaterialRecord& material) const {
   const bool alone = !kOptions.layers || !scene_.layered();
-  return alone && smooth_.on() && rig.one_hue() && material.reach == MaterialRecord::kAllLight;
+  return alone && smooth_.on() && one_hue_ && material.reach == MaterialRecord::kAllLight;
 }
 
 template <FrameOptions kOptions>
@@ -399,7 +400,7 @@ Room Frame<kOptions>::begin_facet(std::uint16_t face, std::uint16_t line) {
   const bool curved = reader_.face().curved;
   if (material.shading == MaterialRecord::kGouraud && vsg_.has_colours() && !curved) {
     const LightRig& rig = lights();
-    if (is_plain(rig, material) && reader_.face().corners.size() == 3 && !reader_.clipped()) {
+    if (is_plain(material) && reader_.face().corners.size() == 3 && !reader_.clipped()) {
       return vsg_.add(face, line, layered({.smooth = true}, {}, material), [](std::uint16_t) { return Rgb8{}; });
     }
     const auto colour = [&](std::uint16_t corner) { return rig.shade(mesh.vertex_normals[corner], material, flip); };

@@ -26,7 +26,7 @@ namespace spanline {
     }
   }
   // A smooth cell would need more than its brightness.
-  if (on_ && !LightHue(*scene_).one()) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
+  if (on_ && !LightHue::is_one(*scene_)) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
   return {};
 }
 

@@ -56,7 +56,7 @@ namespace spanline {
     gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
   }
   // A smooth triangle would need more than its brightness.
-  if (gouraud && !LightHue(scene).one()) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
+  if (gouraud && !LightHue::is_one(scene)) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
   return {};
 }
 

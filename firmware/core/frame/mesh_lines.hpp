@@ -162,6 +162,7 @@ class MeshLines {
   bool goes_on(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) const;
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
+  PixelFormat format() const { return kPaint == Paint::any ? screen_.format : PixelFormat::rgb565; }
   bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
   void make_look(FaceId face, FaceLook& look);
   bool turn_to(FaceId face, FaceLook& flat);

@@ -231,7 +231,7 @@ std::uint16_t MeshLines<kTaps, kPaint>::flat_color(const InstanceCursor& at, std
   const Rgb8 color = material.shading == MaterialRecord::kUnlit
                          ? material.color
                          : facet_color(at.mesh(), mesh_face, first_corner, material, rig, false);
-  return flat_payload(screen_.format, color);
+  return flat_payload(format(), color);
 }
 
 // Puts the instance's vertices on the screen. False where one lies out of the view, or fronts have become backs.
@@ -288,8 +288,8 @@ template <bool kTaps, Paint kPaint>
 void MeshLines<kTaps, kPaint>::light_faces(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   const LightRig& rig = lights(at);
-  const LightRig::One one = rig.one();
-  const bool quick = rig.quick() && !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+  const bool quick = rig.quick() && !mesh.face_normals.empty() && format() == PixelFormat::rgb565;
+  const LightRig::One one = quick ? rig.one() : LightRig::One{};
   const std::uint32_t before = at.first_face() + 1u;
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
@@ -322,7 +322,7 @@ void MeshLines<kTaps, kPaint>::light_vertices(const InstanceCursor& at) {
   if (rig.single()) {
     each([one = rig.one()](const Normal10& n) { return LightRig::brightness(one.sum(n)); });
   } else {
-    each([&rig](const Normal10& n) { return rig.brightness(n, false); });
+    each([&rig](const Normal10& n) { return LightRig::brightness(rig.sum(n, false)); });
   }
 }
 

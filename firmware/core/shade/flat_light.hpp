@@ -9,9 +9,10 @@ namespace spanline {
 class FlatLight {
  public:
   FlatLight(const LightRig& rig, const MaterialRecord& material, PixelFormat format)
-      : rig_(rig), material_(material), one_(rig.one()), format_(format) {
+      : rig_(rig), material_(material), format_(format) {
     quick_ = rig.quick() && format == PixelFormat::rgb565 && material.shading != MaterialRecord::kUnlit &&
              material.reach == MaterialRecord::kAllLight;
+    if (quick_) one_ = rig.one();
   }
 
   // Of a surface with this normal, as flat_payload() has it.
@@ -23,7 +24,7 @@ class FlatLight {
  private:
   const LightRig& rig_;
   const MaterialRecord& material_;
-  LightRig::One one_;
+  LightRig::One one_{};
   PixelFormat format_;
   bool quick_;  // one light without a hue, and it does not saturate
 };

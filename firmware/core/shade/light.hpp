@@ -15,19 +15,21 @@ namespace spanline {
 class LightRig {
  public:
   LightRig() = default;
+  // `scene` must outlive it.
   LightRig(const SceneRecord& scene, const Transform& transform);
 
   // The colour of a surface with this normal and material; `flip` turns the normal round (a back seen from behind).
   Rgb8 shade(const Normal10& normal, const MaterialRecord& material, bool flip) const;
 
-  // Whether all lights have one hue, so that brightness is one number.
-  bool one_hue() const { return one_hue_; }
-  // How bright a surface with this normal is then, in LightHue's channel.
+  // How much light falls on a surface with this normal in LightHue's channel, which tells the others where all lights
+  // have one hue; Q8.8.
+  std::uint32_t sum(const Normal10& normal, bool flip) const;
+  // How bright that makes it.
   Brightness brightness(const Normal10& normal, bool flip) const {
-    return brightness(single() && !flip ? one().sum(normal) : sum_of_all(normal, flip));
+    return brightness(single() && !flip ? one().sum(normal) : sum(normal, flip));
   }
-  // Whether that is the sum() of one() light where nothing is flipped.
-  bool single() const { return count_ == 1 && uniform_; }
+  // Whether it is the sum() of one() light where nothing is flipped.
+  bool single() const { return uniform_ && scene_->lights.size() == 1; }
   // Whether it is so in every channel, since neither light nor ambient light have a hue.
   bool simple() const { return grey_ && single(); }
   // Whether lit_rgb565_wire() of that sum is the colour of a surface, as it does not saturate.
@@ -47,9 +49,10 @@ class LightRig {
       return (ambient + saturate15(dot) * intensity) >> 15;
     }
   };
-  One one() const {
+  One one() const {  // where single()
     const std::int16_t(&d)[3] = direction_[0];
-    return {-d[0], -d[1], -d[2], intensity_[0][channel_], (std::uint32_t{ambient_[channel_]} << 15) + (1u << 14)};
+    return {-d[0], -d[1], -d[2], scene_->lights[0].intensity[channel_],
+            (std::uint32_t{scene_->ambient[channel_]} << 15) + (1u << 14)};
   }
   // The brightness of such a sum.
   static Brightness brightness(std::uint32_t sum) {
@@ -57,20 +60,19 @@ class LightRig {
   }
 
  private:
-  std::uint32_t sum_of_all(const Normal10& normal, bool flip) const;
-  std::int32_t diffuse(unsigned light, const Normal10& normal, bool flip, std::uint32_t length) const;
+  struct Fall {
+    std::uint32_t amount[kMaxLights];
+  };
+  Fall fall(const Normal10& normal, bool flip) const;
+  std::uint32_t sum(const Fall& fall, unsigned channel, const ReachRecord* reach) const;
   std::uint32_t turned_length(const Normal10& normal) const;
 
-  std::uint32_t count_ = 0;
-  bool grey_ = true;         // ambient and lights have no hue
-  bool one_hue_ = true;      // LightHue::one()
-  std::int8_t channel_ = 0;  // LightHue::channel()
-  bool uniform_ = true;      // the transform only turns and scales evenly
-  Slice<const ReachRecord> reaches_;
+  const SceneRecord* scene_ = nullptr;
+  bool grey_ = true;                       // ambient and lights have no hue
+  std::uint8_t channel_ = 0;               // LightHue::channel()
+  bool uniform_ = true;                    // the transform only turns and scales evenly
   std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
-  std::int16_t normal_matrix_[3][3];       // cofactors, common scale; where not uniform
-  std::uint16_t intensity_[kMaxLights][3];
-  std::uint16_t ambient_[3] = {0, 0, 0};
+  std::int32_t normal_matrix_[3][3];       // cofactors, of 14 bits and a sign
 };
 
 // The rig of the instance that was asked for last.
@@ -78,7 +80,7 @@ class KeptLights {
  public:
   void forget() { instance_ = UINT32_MAX; }
   // Of the scene's instance of this number; `transform` is its.
-  const LightRig& of(const SceneRecord& scene, std::uint32_t instance, const Transform& transform) {
+  [[gnu::noinline]] const LightRig& of(const SceneRecord& scene, std::uint32_t instance, const Transform& transform) {
     if (instance_ != instance) {
       instance_ = instance;
       new (&rig_) LightRig(scene, transform);  // in its place, not copied there

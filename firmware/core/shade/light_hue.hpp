@@ -12,8 +12,8 @@ class LightHue {
   explicit LightHue(const SceneRecord& scene);
 
   // Whether every light has the hue, as nearly as its intensities in Q8.8 can say it. So it is without lights.
-  bool one() const { return one_; }
-  int channel() const { return channel_; }  // the one that tells
+  static bool is_one(const SceneRecord& scene);
+  static int channel(const SceneRecord& scene);  // the one that tells
   // The light in channel `i` where channel() has `sum`, Q8.8; not below 0. Exact where nothing has a hue.
   std::uint32_t in(int i, std::uint32_t sum) const {
     const auto amount = static_cast<std::int32_t>(sum) - ambient_[channel_];
@@ -27,8 +27,7 @@ class LightHue {
 
   std::uint16_t ambient_[3];
   std::int16_t part_[3];  // of the hue, Q4.12: at most 1, which is channel()'s
-  std::int8_t channel_ = 0;
-  bool one_ = true;
+  std::uint8_t channel_;
 };
 
 }  // namespace spanline
