@@ -248,12 +248,8 @@ bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
       !projection.well_inside(positions, to_clip)) {
     return false;
   }
-  Normaliser normaliser;
-  ScreenXY* point = &points_[at.first_vertex()];
-  for (const ClipRows rows = to_clip; const Position& position : positions) {
-    *++point = projection.place(rows(position), normaliser);
-  }
-  walker_.vertices(at.first_vertex()).forget(at.mesh().positions.size());
+  projection.place(positions, to_clip, &points_[at.first_vertex() + 1]);
+  walker_.vertices(at.first_vertex()).forget(positions.size());
   return true;
 }
 

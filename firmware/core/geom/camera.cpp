@@ -10,7 +10,7 @@ namespace spanline {
 
 namespace {
 
-constexpr Status bad_camera(const char* field) { return {Code::bad_argument, "camera", field, 0, 0, 0, 0}; }
+[[gnu::cold, gnu::noinline]] Status bad_camera(const char* field) { return {Code::bad_argument, "camera", field}; }
 
 struct Vector {
   std::int64_t v[3];  // any common scale
@@ -41,13 +41,26 @@ Vector cross(const Fx30 (&a)[3], const Fx30 (&b)[3]) {
   return out;
 }
 
-// matrix (Q16.16) times mesh unit (Q1.31) as Q1.31.
-void scale_to_world(const Transform& transform, std::int32_t unit, std::int32_t (&world)[3][3]) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      world[i][j] = saturate32(shift_round(std::int64_t{transform.matrix[i][j].raw} * unit, 16));
-    }
+// Q16.16 times any format, in that.
+std::int64_t product(Fx16 a, std::int32_t b) { return shift_round(std::int64_t{a.raw} * b, 16); }
+
+// Apart, as it is short only where it stands once.
+[[gnu::noinline]] std::int32_t saturated(std::int64_t value) { return saturate32(value); }
+
+// Which is out of its range; null: none.
+const char* wrong_field(const CameraRecord& camera) {
+  for (const Fx16 c : camera.eye) {
+    if (c > Fx16::from_int(2 * kMaxWorld) || c < Fx16::from_int(-2 * kMaxWorld)) return "eye";
   }
+  for (const auto& row : camera.axes) {
+    std::int64_t square = 0;
+    for (const Fx30 c : row) square += shift_round(std::int64_t{c.raw} * c.raw, 30);
+    constexpr std::int64_t kSlack = Fx30::kOne >> 10;
+    if (square < Fx30::kOne - kSlack || square > Fx30::kOne + kSlack) return "axes";
+  }
+  if (camera.focal.raw <= 0 || camera.focal > Fx12::from_int(kMaxFocalPx)) return "focal";
+  if (camera.near_plane.raw <= 0) return "near_plane";
+  return camera.far_plane <= camera.near_plane ? "far_plane" : nullptr;
 }
 
 bool is_mirrored(const Transform& transform) {
@@ -55,8 +68,7 @@ bool is_mirrored(const Transform& transform) {
     return std::int64_t{transform.matrix[i][j].raw} >> 6;
   };  // Q22.10: products fit 64
   std::int64_t determinant = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
+  for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
     determinant += m(0, i) * (((m(1, j) * m(2, k)) >> 10) - ((m(1, k) * m(2, j)) >> 10));
   }
   return determinant < 0;
@@ -87,44 +99,38 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
 }
 
 [[gnu::cold]] Status check_camera(const CameraRecord& camera) {
-  for (const Fx16 c : camera.eye) {
-    if (c > Fx16::from_int(2 * kMaxWorld) || c < Fx16::from_int(-2 * kMaxWorld)) return bad_camera("eye");
-  }
-  for (const auto& row : camera.axes) {
-    std::int64_t square = 0;
-    for (const Fx30 c : row) square += shift_round(std::int64_t{c.raw} * c.raw, 30);
-    constexpr std::int64_t kSlack = Fx30::kOne >> 10;
-    if (square < Fx30::kOne - kSlack || square > Fx30::kOne + kSlack) return bad_camera("axes");
-  }
-  if (camera.focal.raw <= 0 || camera.focal > Fx12::from_int(kMaxFocalPx)) return bad_camera("focal");
-  if (camera.near_plane.raw <= 0) return bad_camera("near_plane");
-  if (camera.far_plane <= camera.near_plane) return bad_camera("far_plane");
-  return {};
+  const char* const wrong = wrong_field(camera);
+  return wrong == nullptr ? Status{} : bad_camera(wrong);
 }
 
 [[gnu::cold]] ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh) {
-  std::int32_t world[3][3];
-  scale_to_world(transform, mesh.unit, world);
-  std::int64_t from_eye[3];  // Q16.16: the mesh's origin seen from the eye
-  for (int i = 0; i < 3; ++i) {
-    std::int64_t sum = 0;
-    for (int k = 0; k < 3; ++k) sum += shift_round(std::int64_t{transform.matrix[i][k].raw} * mesh.origin[k].raw, 16);
-    from_eye[i] = saturate32(sum + transform.translation[i].raw - camera.eye[i].raw);
-  }
   // focal px in units of the guard band: focal / kGuardPx, so Q20.12 becomes Q10.22. The screen's y points down, w
   // ahead.
-  const std::int64_t focal = camera.focal.raw;
-  const std::int64_t scale[3] = {focal, -focal, -(std::int64_t{kGuardPx} << 12)};
+  const std::int32_t focal = camera.focal.raw;
+  const std::int32_t scale[3] = {focal, -focal, -(kGuardPx << 12)};
   ClipMatrix out;
-  for (int row = 0; row < 3; ++row) {
-    for (int j = 0; j < 3; ++j) {
-      std::int64_t sum = 0;  // Q3.61
-      for (int k = 0; k < 3; ++k) sum += std::int64_t{camera.axes[row][k].raw} * world[k][j];
-      out.linear[row][j] = saturate32(shift_round(shift_round(sum, 30) * scale[row], 22));
+  for (int column = 0; column < 4; ++column) {
+    const bool origin = column == 3;
+    std::int32_t world[3];  // what a mesh unit comes to, Q1.31; or the mesh's origin seen from the eye, Q16.16
+    for (int i = 0; i < 3; ++i) {
+      const Fx16(&row)[3] = transform.matrix[i];
+      std::int64_t sum = 0;
+      if (!origin) {
+        sum = product(row[column], mesh.unit);
+      } else {
+        for (int k = 0; k < 3; ++k) sum += product(row[k], mesh.origin[k].raw);
+        sum += std::int64_t{transform.translation[i].raw} - camera.eye[i].raw;
+      }
+      world[i] = saturated(sum);
     }
-    std::int64_t dot = 0;  // Q46
-    for (int k = 0; k < 3; ++k) dot += std::int64_t{camera.axes[row][k].raw} * from_eye[k];
-    out.offset[row] = saturate32(shift_round(shift_round(dot, 24) * scale[row], 28));
+    for (int row = 0; row < 3; ++row) {
+      std::int64_t dot = 0;  // Q3.61; Q46
+      for (int k = 0; k < 3; ++k) dot += std::int64_t{camera.axes[row][k].raw} * world[k];
+      // Six bits of the one go before it is scaled, of the other after that.
+      const std::int64_t scaled = shift_round(origin ? dot : dot >> 6, 24) * scale[row];
+      const std::int32_t clip = saturated(shift_round(origin ? scaled >> 6 : scaled, 22));
+      (origin ? out.offset[row] : out.linear[row][column]) = clip;
+    }
   }
   out.mirrored = is_mirrored(transform);
   return out;

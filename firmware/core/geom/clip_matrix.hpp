@@ -36,16 +36,7 @@ struct ClipMatrix {
     return reach;
   }
   // Whether no position saturates, and a mesh unit is less than half a world unit.
-  bool fits() const {
-    constexpr std::int32_t kMost = (1 << 30) - (1 << 14) - 1;
-    for (int i = 0; i < 3; ++i) {
-      for (const std::int32_t c : linear[i]) {
-        if (c > kMost || c < -kMost) return false;
-      }
-      if (farthest(i) > INT32_MAX) return false;
-    }
-    return true;
-  }
+  bool fits() const;
   std::int64_t farthest(int i) const { return (offset[i] < 0 ? -std::int64_t{offset[i]} : offset[i]) + reach(i); }
   template <typename Point>
   ClipPoint operator()(const Point& p) const {
@@ -57,9 +48,7 @@ struct ClipMatrix {
 class LongRow {
  public:
   LongRow() = default;
-  LongRow(const ClipMatrix& matrix, int row)
-      : start_(std::int64_t{matrix.offset[row]} * (1 << 15) + (1 << 14)),
-        linear_{matrix.linear[row][0], matrix.linear[row][1], matrix.linear[row][2]} {}
+  LongRow(const ClipMatrix& matrix, int row);
 
   std::int32_t at(const Position& p) const {
     const std::int64_t sum =
@@ -85,13 +74,7 @@ struct CoefficientParts {
 class SplitRow {
  public:
   SplitRow() = default;
-  SplitRow(const ClipMatrix& matrix, int row) : offset_(static_cast<std::uint32_t>(matrix.offset[row])) {
-    for (int i = 0; i < 3; ++i) {
-      const CoefficientParts c(matrix.linear[row][i]);
-      high_[i] = static_cast<std::uint32_t>(c.high);
-      low_[i] = c.low;
-    }
-  }
+  SplitRow(const ClipMatrix& matrix, int row);
 
   std::int32_t at(const Position& p) const {
     static_assert(3 * (std::int64_t{1} << 14) * (1 << 15) + (1 << 14) <= INT32_MAX);
@@ -111,12 +94,7 @@ class SplitRow {
 class PackedRow {
  public:
   PackedRow() = default;
-  PackedRow(const ClipMatrix& matrix, int row) : offset_(static_cast<std::uint32_t>(matrix.offset[row])) {
-    const CoefficientParts x(matrix.linear[row][0]), y(matrix.linear[row][1]), z(matrix.linear[row][2]);
-    high_xy_ = pack_halves(x.high, y.high);
-    low_xy_ = pack_halves(x.low, y.low);
-    z_ = pack_halves(z.high, z.low);
-  }
+  PackedRow(const ClipMatrix& matrix, int row);
 
   std::int32_t at(const Position& p) const {
     const std::uint32_t xy = first_two(p);
@@ -207,7 +185,7 @@ inline ClipPoint at(const PackedRow (&rows)[3], const Position& p) {
 class ClipRows {
  public:
   ClipRows() = default;
-  explicit ClipRows(const ClipMatrix& matrix) : rows_{{matrix, 0}, {matrix, 1}, {matrix, 2}} {}
+  explicit ClipRows(const ClipMatrix& matrix);
   ClipPoint operator()(const Position& p) const { return at(rows_, p); }
 
  private:

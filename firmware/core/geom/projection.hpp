@@ -80,6 +80,8 @@ struct Projection {
   // than 4 units, of at least kWellAhead >> 8.
   bool well_inside(const PositionBox& box, const ClipRows& to_clip) const;
   bool well_inside(Slice<const Position> positions, const ClipRows& to_clip) const;
+  // Places positions inside all planes one after another.
+  void place(Slice<const Position> positions, const ClipRows& to_clip, ScreenXY* at) const;
 
   // Projects a point inside all planes (outcode 0). At a distance of one world unit and more each coordinate is the
   // nearest 1/16 px to the exact one or, by the rounding of the matrix, its neighbour, and depth is within 1 of 65536;
