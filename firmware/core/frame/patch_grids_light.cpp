@@ -6,8 +6,8 @@ namespace spanline {
 // Gives the vertices of drawn cells their brightness; the grid begins with row `row` of the patch.
 void PatchGrids::light(const PatchJob& job, std::uint32_t header, std::uint32_t row) {
   const LightRig& rig = *job.look.lights;
-  const LightRig::One one = rig.one();
   const bool single = rig.single();
+  const LightRig::One one = single ? rig.one() : LightRig::One{};
   const std::uint32_t stride = v_[header].stride, end = header + size(header);
   for (std::uint32_t first = header + 1; first != end; first += stride, ++row) {
     std::uint32_t column = 0;

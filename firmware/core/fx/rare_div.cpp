@@ -43,4 +43,8 @@ std::int64_t rare_floor_div(std::int64_t dividend, std::int64_t divisor) {
   return static_cast<std::int64_t>(quotient) ^ sign;
 }
 
+std::int64_t rare_round_div(std::int64_t dividend, std::int64_t divisor) {
+  return rare_floor_div(dividend + (divisor >> 1), divisor);
+}
+
 }  // namespace spanline

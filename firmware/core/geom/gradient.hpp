@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/fx/bits.hpp"
+#include "core/fx/rare_div.hpp"
 #include "core/fx/reciprocal.hpp"
 #include "core/geom/screen.hpp"
 
@@ -68,6 +69,20 @@ template <int kBits, std::int32_t kRise>
   out.down = shift_round(mul_high(along_y * (1 << room), inverse), down);
   return true;
 }
+
+// The gradient of any triangle, by exact divisions.
+struct ExactGradient {
+  // `rise` as for small_gradient(), below 2^25.
+  ExactGradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int32_t rise2);
+
+  std::int64_t area;              // below 2^34; 0: the triangle covers no pixel, and has no gradient
+  std::int64_t along_x, along_y;  // how the value grows a sixteenth of a pixel, times area: below 2^43
+
+  // How it grows a pixel, with this many fraction bits more, to the nearest; `along`: one of the two.
+  std::int64_t a_pixel(std::int64_t along, int bits) const {
+    return rare_round_div(along * (kSubpixels << bits), area);
+  }
+};
 
 // What a value of `from` at a point is at the centre of column 0 and line 0, modulo 2^32. Whole pixels and sixteenths
 // by themselves, as either fits 32 bits.

@@ -1,35 +1,17 @@
 #include "core/shade/brightness.hpp"
 
-#include "core/fx/rare_div.hpp"
 #include "core/shade/light_hue.hpp"
 #include "core/shade/pixel.hpp"
 
 namespace spanline {
 
-namespace {
-
-// Of what grows so much along two ways; `area` is theirs, not 0.
-struct ExactGradient {
-  std::int64_t right, down;
-};
-ExactGradient exact_gradient(const std::int64_t (&dx)[2], const std::int64_t (&dy)[2], std::int64_t area,
-                             const std::int32_t (&rise)[2]) {
-  const std::int64_t scale = (area < 0 ? -1 : 1) * (std::int64_t{kSubpixels} << detail::kBrightnessBits);
-  const std::int64_t divisor = area < 0 ? -area : area;
-  // Rises are below 2^8, distances up to 2^16: below 2^46.
-  return {rare_round_div((rise[0] * dy[1] - rise[1] * dy[0]) * scale, divisor),
-          rare_round_div((rise[1] * dx[0] - rise[0] * dx[1]) * scale, divisor)};
-}
-
-}  // namespace
-
 BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
                                          std::int32_t rise2) {
-  const std::int64_t dx[2] = {at[1].x - at[0].x, at[2].x - at[0].x};
-  const std::int64_t dy[2] = {at[1].y - at[0].y, at[2].y - at[0].y};
-  const std::int64_t area = dx[0] * dy[1] - dx[1] * dy[0];
-  if (area == 0) return {start, 0, 0};  // covers no pixel
-  const auto [right, down] = exact_gradient(dx, dy, area, {rise1, rise2});
+  const ExactGradient gradient(at, rise1, rise2);
+  if (gradient.area == 0) return {start, 0, 0};  // covers no pixel
+  // Rises are below 2^8, distances up to 2^16: below 2^46.
+  const std::int64_t right = gradient.a_pixel(gradient.along_x, kBrightnessBits);
+  const std::int64_t down = gradient.a_pixel(gradient.along_y, kBrightnessBits);
   const std::int64_t climb = right * (kSubpixels / 2 - at[0].x) + down * (kSubpixels / 2 - at[0].y);
   return {start + static_cast<std::uint32_t>(climb >> 4), static_cast<std::uint32_t>(right),
           static_cast<std::uint32_t>(down)};
@@ -38,11 +20,11 @@ BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t 
 namespace {
 
 // Of a large or narrow cell, along its diagonals; none where it would be steep, which takes a cell of no width.
-[[gnu::cold]] Gradient rare_gradient(ScreenXY first, ScreenXY second, std::int32_t rise1, std::int32_t rise2) {
-  const std::int64_t dx[2] = {first.x, second.x}, dy[2] = {first.y, second.y};
-  const std::int64_t area = dx[0] * dy[1] - dx[1] * dy[0];
-  if (area == 0) return {};
-  const auto [right, down] = exact_gradient(dx, dy, area, {rise1, rise2});
+[[gnu::cold]] Gradient rare_gradient(const ScreenXY (&diagonals)[3], std::int32_t rise1, std::int32_t rise2) {
+  const ExactGradient exact(diagonals, rise1, rise2);
+  if (exact.area == 0) return {};
+  const std::int64_t right = exact.a_pixel(exact.along_x, detail::kBrightnessBits);
+  const std::int64_t down = exact.a_pixel(exact.along_y, detail::kBrightnessBits);
   const auto steep = [](std::int64_t v) { return v >= kSteepest || v <= -kSteepest; };
   if (steep(right) || steep(down)) return {};
   return {static_cast<std::int32_t>(right), static_cast<std::int32_t>(down)};
@@ -78,7 +60,7 @@ BrightnessPlane cell_brightness(const ScreenXY (&at)[4], const Brightness (&corn
   const std::int32_t rise1 = corner[2] - corner[0], rise2 = corner[3] - corner[1];
   Gradient gradient;
   if (!small_gradient<kBrightnessBits, kFullBrightness>(diagonals, rise1, rise2, gradient)) [[unlikely]] {
-    gradient = rare_gradient(diagonals[1], diagonals[2], rise1, rise2);
+    gradient = rare_gradient(diagonals, rise1, rise2);
   }
   // What the plane through the first and third corner has too little at the second, half of which all four share.
   // Within the cell the plane spans less than twice what brightness does, so this fits, whatever its terms are.

@@ -33,34 +33,32 @@ inline bool small_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3]
   return true;
 }
 
+// The plane of any triangle.
+[[gnu::noinline]] DepthPlane exact_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3],
+                                         const Screen& screen) {
+  const ExactGradient gradient(at, static_cast<std::int32_t>(depth[1] - depth[0]),
+                               static_cast<std::int32_t>(depth[2] - depth[0]));
+  if (gradient.area == 0) return {};  // covers no pixel
+  const std::int32_t column = pixel_on_screen(at[0].x, screen.width);
+  const std::int32_t line = pixel_on_screen(at[0].y, screen.height);
+  // Distances are below 2^16 and rises below 2^24, so this is below 2^63.
+  const std::int64_t climb = (gradient.along_x * (centre(column) - at[0].x) +  //
+                              gradient.along_y * (centre(line) - at[0].y)) *
+                             (1 << kRampShift);
+  DepthPlane plane;
+  plane.ramp.slope = static_cast<std::uint32_t>(gradient.a_pixel(gradient.along_x, kRampShift));
+  plane.down = static_cast<std::uint32_t>(gradient.a_pixel(gradient.along_y, kRampShift));
+  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(rare_floor_div(climb, gradient.area)) -
+                       plane.ramp.slope * static_cast<std::uint32_t>(column) -
+                       plane.down * static_cast<std::uint32_t>(line);
+  return plane;
+}
+
 }  // namespace
 
 DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen) {
   DepthPlane plane;
-  if (small_plane(at, depth, plane)) return plane;
-  const std::int64_t dx1 = at[1].x - at[0].x, dx2 = at[2].x - at[0].x;
-  const std::int64_t dy1 = at[1].y - at[0].y, dy2 = at[2].y - at[0].y;
-  const auto z0 = static_cast<std::int64_t>(depth[0]);
-  const std::int64_t dz1 = depth[1] - z0, dz2 = depth[2] - z0;
-  std::int64_t area = dx1 * dy2 - dx2 * dy1;                                      // below 2^34
-  std::int64_t along_x = dz1 * dy2 - dz2 * dy1, along_y = dx1 * dz2 - dx2 * dz1;  // below 2^41
-  if (area == 0) return {};                                                       // covers no pixel
-  if (area < 0) {
-    area = -area;
-    along_x = -along_x;
-    along_y = -along_y;
-  }
-  const std::int32_t column = pixel_on_screen(at[0].x, screen.width);
-  const std::int32_t line = pixel_on_screen(at[0].y, screen.height);
-  // Distances are below 2^16, so this is below 2^63.
-  const std::int64_t climb =
-      (along_x * (centre(column) - at[0].x) + along_y * (centre(line) - at[0].y)) * (1 << kRampShift);
-  plane.ramp.slope = static_cast<std::uint32_t>(rare_round_div(along_x * (kSubpixels << kRampShift), area));
-  plane.down = static_cast<std::uint32_t>(rare_round_div(along_y * (kSubpixels << kRampShift), area));
-  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(rare_floor_div(climb, area)) -
-                       plane.ramp.slope * static_cast<std::uint32_t>(column) -
-                       plane.down * static_cast<std::uint32_t>(line);
-  return plane;
+  return small_plane(at, depth, plane) ? plane : exact_plane(at, depth, screen);
 }
 
 DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen) {
