@@ -151,7 +151,7 @@ void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
   lights_.forget();
   at_hand_ = {};
   new (&points_) InstancePoints(scene_.scene(), camera_, screen_);
-  new (&rows_) DepthRows(scene_.scene(), camera_, screen_, 0);  // in its place, not copied there
+  rows_.begin(scene_.scene(), camera_, screen_, 0);
   drawn_.clear(scene_.face_count());
   vertices_.begin(scene_.vertex_count(), top, screen_.height);
   walker_.begin();

@@ -4,6 +4,16 @@
 
 namespace spanline {
 
+[[gnu::cold]] void DepthRows::begin(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen,
+                                    std::int32_t farthest) {
+  cursor_ = InstanceCursor(scene);
+  camera_ = &camera;
+  screen_ = screen;
+  projection_ = Projection(camera, screen);
+  farthest_ = farthest;
+  at_.faces = other_.faces = 0;
+}
+
 void DepthRows::hold(const ClipMatrix& matrix) {
   const auto farthest = static_cast<std::int32_t>(matrix.farthest(2));
   if (farthest > farthest_) farthest_ = farthest;

@@ -12,10 +12,8 @@ namespace spanline {
 // last two instances' are kept. All faces lie inside the view.
 class DepthRows {
  public:
-  DepthRows() = default;
-  // `farthest`: how far away instances are (farthest()) that hold() is not said of.
-  DepthRows(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen, std::int32_t farthest)
-      : cursor_(scene), camera_(&camera), screen_(screen), projection_(camera, screen), farthest_(farthest) {}
+  // Begins a frame. `farthest`: how far away instances are (farthest()) that hold() is not said of.
+  void begin(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen, std::int32_t farthest);
 
   // To be said of instances' matrices before faces are asked for.
   void hold(const ClipMatrix& matrix);
@@ -67,14 +65,15 @@ class DepthRows {
            static_cast<std::int32_t>(static_cast<std::uint32_t>(farthest * nearest) >> 14);
   }
 
-  InstanceCursor cursor_;
-  const CameraRecord* camera_ = nullptr;
+  Instance at_;  // asked for last
+  Normaliser normaliser_;
+  std::int32_t near_ = 0;  // the near plane, in units of 2^15 of the rough row's
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
-  Normaliser normaliser_;
-  Instance at_, other_;        // asked for last, and before that: where two overlap, their faces come by turns
-  std::int32_t near_ = 0;      // the near plane, in units of 2^15 of the rough row's
   std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
+  Instance other_;             // asked for before at_: where two overlap, their faces come by turns
+  const CameraRecord* camera_ = nullptr;
+  InstanceCursor cursor_;
 };
 
 }  // namespace spanline

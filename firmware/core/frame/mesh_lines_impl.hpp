@@ -1,8 +1,6 @@
 // The body of MeshLines; include it only where a Frame with options of one's own is instantiated.
 #pragma once
 
-#include <new>
-
 #include "core/frame/facet_color.hpp"
 #include "core/frame/mesh_lines.hpp"
 #include "core/shade/fill_words.hpp"
@@ -149,7 +147,7 @@ template <bool kTaps, Paint kPaint>
     slots_[0] = 0;
     brush_ = SmoothBrush(smooth_.looks(), {&slots_[0]});
   }
-  new (&rows_) DepthRows(scene_.scene(), camera_, screen_, farthest);  // in its place, not copied there
+  rows_.begin(scene_.scene(), camera_, screen_, farthest);
   walker_.begin(scene_.scene(), top);
   walker_.paint_with(&words_[0], &brush_);
 }

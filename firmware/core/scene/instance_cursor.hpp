@@ -8,34 +8,31 @@ namespace spanline {
 class InstanceCursor {
  public:
   InstanceCursor() = default;
-  explicit InstanceCursor(const SceneRecord& scene) : scene_(&scene) {}
+  explicit InstanceCursor(const SceneRecord& scene) : scene_(&scene) { enter(); }
 
   // Makes the instance current that holds the vertex (or face) of this number over the scene.
-  void to_vertex(std::uint32_t vertex) {
-    if (vertex < first_vertex_) rewind();
-    while (vertex - first_vertex_ >= mesh().positions.size()) next();
-  }
+  void to_vertex(std::uint32_t vertex);
   void to_face(std::uint32_t face) {
-    if (face < first_face_) rewind();
-    while (face - first_face_ >= mesh().face_count) next();
+    if (face - first_face_ >= mesh_->face_count) find_face(face);
   }
 
-  void rewind() { index_ = first_vertex_ = first_face_ = 0; }
   bool at_end() const { return index_ == scene_->instances.size(); }
-  void next() {
-    first_vertex_ += mesh().positions.size();
-    first_face_ += mesh().face_count;
-    ++index_;
-  }
+  void next();
 
   std::uint32_t index() const { return index_; }
   std::uint32_t first_vertex() const { return first_vertex_; }  // of the current instance, over the scene
   std::uint32_t first_face() const { return first_face_; }
-  const InstanceRecord& instance() const { return scene_->instances[index_]; }
-  const MeshRecord& mesh() const { return scene_->meshes[instance().mesh]; }
+  const InstanceRecord& instance() const { return *instance_; }
+  const MeshRecord& mesh() const { return *mesh_; }
 
  private:
+  void rewind();
+  void enter();
+  void find_face(std::uint32_t face);
+
   const SceneRecord* scene_ = nullptr;
+  const InstanceRecord* instance_ = nullptr;  // the current one, where not at_end()
+  const MeshRecord* mesh_ = nullptr;          // its
   std::uint32_t index_ = 0, first_vertex_ = 0, first_face_ = 0;
 };
 

@@ -151,7 +151,6 @@ class EdgeWalker {
   template <typename Sink, typename Plane>
   [[gnu::noinline]] FaceId front_of_set(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
-  InstanceCursor cursor_;
   FanStart fans_{};      // of the mesh that was reached last
   FaceId first_id_ = 0;  // of its faces
   VertexBuckets buckets_;
@@ -163,6 +162,7 @@ class EdgeWalker {
   LineWalk walk_{};
   OverlapSet overlap_;
   std::uint32_t most_ = 0;
+  InstanceCursor cursor_;
 };
 template <bool kInPlace, typename Feed>
 bool EdgeWalker::start_fed(const Feed& feed) {
