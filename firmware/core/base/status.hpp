@@ -28,4 +28,11 @@ struct Status {
   constexpr bool ok() const { return code == Code::ok; }
 };
 
+// The outcomes that are met in many places, each made in one: of a caller's value, of a record that the engine cannot
+// draw, and of a pool that `line` needed more of.
+Status bad_argument(const char* where, const char* field, std::uint32_t line = 0, std::uint32_t value = 0,
+                    std::uint32_t limit = 0);
+Status bad_record(const char* record, const char* field, std::uint32_t index = 0, std::uint32_t value = 0);
+Status pool_exhausted(const char* pool, std::uint32_t line, std::uint32_t needed, std::uint32_t capacity);
+
 }  // namespace spanline

@@ -121,18 +121,15 @@ Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 // What the edge walker cannot draw, or not with the pools it has.
 template <bool kTaps, Paint kPaint>
 Status BandLines<kTaps, kPaint>::check() const {
-  const auto short_of = [](const char* pool, std::uint32_t needed, std::uint32_t capacity) {
-    return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
-  };
-  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return {Code::bad_argument, "screen", "format"};
-  if (smooth() && !smooth_.on()) return short_of("looks", 1, 0);
+  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
+  if (smooth() && !smooth_.on()) return pool_exhausted("looks", 0, 1, 0);
   if (scene_.vertex_count() > vertices_.capacity()) {
-    return short_of("vertices", scene_.vertex_count(), vertices_.capacity());
+    return pool_exhausted("vertices", 0, scene_.vertex_count(), vertices_.capacity());
   }
   const std::uint32_t faces =
       smooth() && looks_.most_faces() < drawn_.capacity() ? looks_.most_faces() : drawn_.capacity();
-  if (scene_.face_count() > faces) return short_of("facets", scene_.face_count(), faces);
-  if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
+  if (scene_.face_count() > faces) return pool_exhausted("facets", 0, scene_.face_count(), faces);
+  if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
   if (smooth()) {
     if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
   }

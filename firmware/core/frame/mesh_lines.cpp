@@ -26,47 +26,47 @@ namespace spanline {
 
 [[gnu::cold]] Status check_band(Band rest, const Screen& screen) {
   if (!rest.empty() && rest.bottom <= screen.height) return {};
-  return {Code::bad_argument, "band", "bottom", 0, rest.top, rest.bottom, screen.height};
+  return bad_argument("band", "bottom", rest.top, rest.bottom, screen.height);
 }
 
 [[gnu::cold]] Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t line) {
-  return {Code::bad_argument, "line", out.size() < bytes ? "size" : "alignment", 0, line, out.size(), bytes};
+  return bad_argument("line", out.size() < bytes ? "size" : "alignment", line, out.size(), bytes);
 }
 
 [[gnu::cold]] Status check_meshes(const SceneView& scene) {
   const SceneRecord& record = scene.scene();
-  if (!record.reaches.empty()) return {Code::bad_record, "SceneRecord", "reaches"};
-  if (scene.layered()) return {Code::bad_record, "SceneRecord", "surface detail or see-through materials"};
+  if (!record.reaches.empty()) return bad_record("SceneRecord", "reaches");
+  if (scene.layered()) return bad_record("SceneRecord", "surface detail or see-through materials");
   for (InstanceCursor at(record); !at.at_end(); at.next()) {
     const std::uint16_t flags = at.instance().flags;
     if ((flags & InstanceRecord::kHidden) != 0) continue;
     if ((flags & (InstanceRecord::kTwoSided | InstanceRecord::kScreen)) != 0) {
-      return {Code::bad_record, "InstanceRecord", "flags", at.index(), 0, flags};
+      return bad_record("InstanceRecord", "flags", at.index(), flags);
     }
-    if (at.mesh().fans.empty()) return {Code::bad_record, "MeshRecord", "fans", at.instance().mesh};
+    if (at.mesh().fans.empty()) return bad_record("MeshRecord", "fans", at.instance().mesh);
   }
   return {};
 }
 
 [[gnu::cold]] Status check_smooth(const SceneRecord& scene) {
   const std::uint32_t materials = scene.materials.size();
-  if (materials > FaceLook::kUnknown) return {Code::bad_record, "SceneRecord", "materials", 0, 0, materials};
+  if (materials > FaceLook::kUnknown) return bad_record("SceneRecord", "materials", 0, materials);
   bool gouraud = false;
   for (const MaterialRecord& material : scene.materials) {
     gouraud = gouraud || material.shading == MaterialRecord::kGouraud;
   }
   // A smooth triangle would need more than its brightness.
-  if (gouraud && !LightHue::is_one(scene)) return {Code::bad_record, "LightRecord", "intensity (of several hues)"};
+  if (gouraud && !LightHue::is_one(scene)) return bad_record("LightRecord", "intensity (of several hues)");
   return {};
 }
 
 [[gnu::cold]] Status beyond_view(std::uint32_t instance) {
-  return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", instance};
+  return bad_record("InstanceRecord", "transform (beyond the view)", instance);
 }
 
 [[gnu::cold]] Status walker_shortage(const EdgeWalker& walker, bool overlaps, std::uint16_t line) {
   const std::uint32_t capacity = overlaps ? OverlapSet::kMost : walker.edge_capacity();
-  return {Code::pool_exhausted, overlaps ? "overlaps" : "edges", "", 0, line, capacity + 1, capacity};
+  return pool_exhausted(overlaps ? "overlaps" : "edges", line, capacity + 1, capacity);
 }
 
 template class MeshLines<false>;

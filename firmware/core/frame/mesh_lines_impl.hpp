@@ -157,17 +157,15 @@ template <bool kTaps, Paint kPaint>
 [[gnu::cold]] Status MeshLines<kTaps, kPaint>::take(const SceneView& scene, const CameraRecord& camera) {
   scene_ = scene;
   camera_ = camera;
-  const auto short_of = [](const char* pool, std::uint32_t needed, std::uint32_t capacity) {
-    return Status{Code::pool_exhausted, pool, "", 0, 0, needed, capacity};
-  };
-  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return {Code::bad_argument, "screen", "format"};
-  if (smooth() && !smooth_.on()) return short_of("looks", 1, 0);
-  if (scene.vertex_count() > points_.capacity()) return short_of("vertices", scene.vertex_count(), points_.capacity());
+  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
+  if (smooth() && !smooth_.on()) return pool_exhausted("looks", 0, 1, 0);
+  if (scene.vertex_count() > points_.capacity())
+    return pool_exhausted("vertices", 0, scene.vertex_count(), points_.capacity());
   const std::uint16_t faces = smooth() ? slots_.capacity() : words_.capacity();
-  if (scene.face_count() > faces) return short_of("facets", scene.face_count(), faces);
-  if (walker_.edge_capacity() == 0) return short_of("edges", 1, 0);
+  if (scene.face_count() > faces) return pool_exhausted("facets", 0, scene.face_count(), faces);
+  if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
   if (smooth() && scene.vertex_count() > levels_.capacity()) {
-    return short_of("levels", scene.vertex_count(), levels_.capacity());
+    return pool_exhausted("levels", 0, scene.vertex_count(), levels_.capacity());
   }
   if (smooth()) {
     if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;

@@ -10,7 +10,7 @@ namespace spanline {
 
 namespace {
 
-[[gnu::cold, gnu::noinline]] Status bad_camera(const char* field) { return {Code::bad_argument, "camera", field}; }
+Status bad_camera(const char* field) { return bad_argument("camera", field); }
 
 struct Vector {
   std::int64_t v[3];  // any common scale
