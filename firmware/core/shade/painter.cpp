@@ -29,7 +29,7 @@ std::uint16_t mix_wire(std::uint16_t pixel, const Rgb8& color, std::uint32_t par
 
 }  // namespace
 
-void Painter::begin_lines(const BackgroundRecord& background) {
+[[gnu::cold]] void Painter::begin_lines(const BackgroundRecord& background) {
   gradient_ = background.bottom != background.top && screen_.height > 1 ? &background : nullptr;
   set_background(background.top);
 }
@@ -41,7 +41,7 @@ void Painter::shade_background() {
   set_background({part(top.r, bottom.r), part(top.g, bottom.g), part(top.b, bottom.b)});
 }
 
-void Painter::set_background(const Rgb8& color) {
+[[gnu::noinline]] void Painter::set_background(const Rgb8& color) {
   background_color_ = color;
   background_ = flat_payload(screen_.format, color);
 }
