@@ -8,6 +8,11 @@ namespace {
 std::uint32_t steps_between(CurveBend (&c)[4], const DiceView& view) {
   Bend most = c[0].bend();
   most.widen(c[3].bend());
+  Bend all = most;
+  all.widen(c[1].bend());
+  all.widen(c[2].bend());
+  const std::uint32_t least = most.steps(view);
+  if (all.steps(view) == least) return least;
   for (int curves = 3; curves > 0; --curves) {  // de Casteljau
     for (int i = 0; i < curves; ++i) c[i].go_halfway(c[i + 1]);
     most.widen(c[0].bend());
@@ -35,7 +40,8 @@ struct Direction {
     return all;
   }
   // Of the first or the last curve, by itself: as curve_steps().
-  PatchSide side(int curve, const DiceView& view) const {
+  // Not inline: what it keeps is off the stack again when inner curves are looked at.
+  [[gnu::noinline]] PatchSide side(int curve, const DiceView& view) const {
     const PlaceBounds own(places + curve * next, 4, stride, view);
     const CurveReach& r = reach[curve];
     const std::uint32_t steps = CurveBend(first_of(curve), stride, r, own, r.beyond_27_bits(), view).bend().steps(view);
@@ -71,25 +77,20 @@ PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&p
   inner_ = {whole.scale(columns_), whole.scale(rows_)};
 }
 
-GridRow PatchDicer::next_row() {
+void PatchDicer::next_row(GridRow& row) {
   CHECK(row_ <= rows_);
   const auto& p = patch_->at;
   const CurveParameter here(row_, rows_);  // gives the control points themselves at both ends
-  const auto column = [&](const CurveParameter& at, int j, const CurveScale& scale) {
-    return at.of(p[0][j], p[1][j], p[2][j], p[3][j], scale);
-  };
-  GridRow row;
-  for (int j = 0; j < 4; ++j) row.control[j] = column(here, j, inner_.across);
+  here.of_columns(p, inner_.across, row.control);
   const auto side = [&](const PatchSide& s, int j) {
-    if (s.own != rows_) return column(CurveParameter(side_vertex(row_, s.own, rows_), s.own), j, s.scale);
-    return s.scale == inner_.across ? row.control[j] : column(here, j, s.scale);
+    if (s.own == rows_ && s.scale == inner_.across) return row.control[j];
+    const CurveParameter own(side_vertex(row_, s.own, rows_), s.own);
+    return own.of(p[0][j], p[1][j], p[2][j], p[3][j], s.scale);
   };
   row.left = side(left_, 0);
   row.right = side(right_, 3);
-  if (row_ == 0) row.own = first_;
-  if (row_ == rows_) row.own = last_;
+  row.own = row_ == 0 ? first_ : row_ == rows_ ? last_ : PatchSide{};
   ++row_;
-  return row;
 }
 
 namespace {

@@ -46,7 +46,7 @@ class PatchDicer {
   std::uint32_t rows() const { return rows_; }
 
   // The next of the rows() + 1 rows. All its vertices lie in the hull of its control points, left and right.
-  GridRow next_row();
+  void next_row(GridRow& row);
 
   // Puts the row's columns() + 1 vertices in order to `out`.
   void step_off(const GridRow& row, ClipPoint* out) const;
@@ -107,7 +107,9 @@ void dice(const ClipPatch& patch, const DiceView& view, Slice<ClipPoint> above, 
   PatchDicer dicer(patch, view);
   const auto fill = [&](Slice<ClipPoint> row) {
     CHECK(row.size() > dicer.columns());
-    dicer.step_off(dicer.next_row(), row.data());
+    GridRow grid;
+    dicer.next_row(grid);
+    dicer.step_off(grid, row.data());
   };
   fill(above);
   for (std::uint32_t row = 0; row < dicer.rows(); ++row) {

@@ -22,8 +22,12 @@ class CurveParameter {
     return scale.is_short ? blend<std::int32_t>(p0, p1, p2, p3, scale.down)
                           : blend<std::int64_t>(p0, p1, p2, p3, scale.down);
   }
+  // Those of a patch's columns, all with one scale.
+  void of_columns(const ClipPoint (&p)[4][4], const CurveScale& scale, ClipPoint (&out)[4]) const;
 
  private:
+  template <typename Int>
+  void blend_columns(const ClipPoint (&p)[4][4], int down, ClipPoint (&out)[4]) const;
   template <typename Int>
   ClipPoint blend(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3, int down) const {
     const typename ScaledAxis<Int>::Scale scale{kCubes[steps_], down};

@@ -24,10 +24,12 @@ void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
 bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   const std::uint16_t before = used_;
   Open grid{face};
-  GridRow above{};
+  GridRow rows[2];
   ScreenBounds bounds_above;
   for (std::uint32_t i = 0; i <= job.rows(); ++i) {
-    const GridRow below = job.dicer->next_row();
+    const GridRow& above = rows[(i + 1) % 2];
+    GridRow& below = rows[i % 2];
+    job.dicer->next_row(below);
     ScreenBounds bounds, both = bounds_above;
     if (!job.whole) bounds = job.bounds_of(below);
     both.widen(bounds);
@@ -48,7 +50,6 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
       }
       strip(job, grid, i - 1);
     }
-    above = below;
     bounds_above = bounds;
   }
   close(job, grid);
@@ -65,10 +66,11 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
   GridVertex* const vertices = &v_[at];
   for (std::uint32_t i = stride; i-- > 0;) new (vertices + i) ClipPoint;
   job.dicer->step_off(row, std::launder(reinterpret_cast<ClipPoint*>(vertices)));
-  const Projection& projection = job.reader.projection();
+  const Projection projection = job.reader.projection();  // what is written is none of it
   for (GridVertex* out = vertices; out != vertices + stride; ++out) {
-    const ClipPoint p = *std::launder(reinterpret_cast<const ClipPoint*>(out));
-    const ScreenPoint on_screen = job.well_inside ? projection(p) : projection.clamped(p);
+    ClipPoint p = *std::launder(reinterpret_cast<const ClipPoint*>(out));
+    if (p.w < projection.near_w) p.w = projection.near_w;  // by rounding
+    const ScreenPoint on_screen = projection(p);
     new (out) GridVertex{0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, first_row};
   }
   return true;
@@ -106,7 +108,7 @@ bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVe
   std::uint32_t any = 0;
   for (std::uint32_t i = job.columns(); i != 0; --i, ++above) {
     const PackedXY b(above[1].at), c((++below)->at);
-    std::uint8_t parts = CellParts::of(a, b, c, d, false, false);
+    std::uint8_t parts = CellParts::of<true>(a, b, c, d, false, false);
     if (parts != CellParts::kNone && !job.whole) {
       ScreenBounds bounds;
       for (const PackedXY& p : {a, b, c, d}) bounds.widen(p.unpacked());

@@ -42,8 +42,8 @@ class PatchGrids {
   // Dices the reader's current face, a patch culled and inside the view, and keeps the cells that face the viewer and
   // may cover something of the lines. False where there is no room for all of them; then none is kept.
   bool dice(const PatchJob& job, std::uint16_t face);
-  // Whether dice() is for it: otherwise some control point lies outside of the view.
-  static bool takes(const PatchJob& job) { return !job.outside; }
+  // Whether dice() is for it: otherwise some control point lies outside of the view, or at its very border.
+  static bool takes(const PatchJob& job) { return job.well_inside; }
   DiceView view(const Projection& projection) const { return {projection, screen_, tolerance_}; }
 
   std::uint32_t most() const { return most_; }  // entries in use at once, since begin_frame()

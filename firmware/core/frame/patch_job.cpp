@@ -31,6 +31,7 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
   const Projection& projection = reader.projection();
   std::uint8_t outside_any = 0, outside_all = 0xff;
   ScreenXY at[4][4];
+  ScreenBounds points;
   for (std::uint32_t i = 0; i < 16; ++i) {
     ClipPoint& p = patch.at[i / 4][i % 4];
     ClipPoint inside = p = reader.control_point(i);
@@ -42,8 +43,9 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
     }
     outside_any |= code;
     outside_all &= code;
-    bounds.widen_hull(at[i / 4][i % 4] = projection(inside).at);
+    points.widen(at[i / 4][i % 4] = projection(inside).at);
   }
+  bounds = points.of_hull();
   behind = (outside_any & Outcode::kNear) != 0;
   outside = outside_any != 0;
   nothing = outside_all != 0 || !(behind || window.meets(bounds));
@@ -61,10 +63,10 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
 ScreenBounds PatchJob::bounds_of(const GridRow& row) const {
   if (behind) return ScreenBounds::anywhere();
   ScreenBounds b;
-  for (const ClipPoint& p : row.control) b.widen_hull(reader.projection().clamped(p).at);
-  b.widen_hull(reader.projection().clamped(row.left).at);
-  b.widen_hull(reader.projection().clamped(row.right).at);
-  return b;
+  for (const ClipPoint& p : row.control) b.widen(reader.projection().clamped(p).at);
+  b.widen(reader.projection().clamped(row.left).at);
+  b.widen(reader.projection().clamped(row.right).at);
+  return b.of_hull();
 }
 
 }  // namespace spanline

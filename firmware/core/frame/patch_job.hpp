@@ -31,8 +31,8 @@ struct ScreenBounds {
     if (other.right > right) right = other.right;
   }
   void widen(ScreenXY p) { widen({p.y, p.y, p.x, p.x}); }
-  // Rounding may put a vertex so far out of the hull of the control points.
-  void widen_hull(ScreenXY p) { widen({p.y - 2, p.y + 2, p.x - 2, p.x + 2}); }
+  // Of all between points that this is of: rounding may put a vertex so far out of the hull of the control points.
+  ScreenBounds of_hull() const { return {top - 2, bottom + 2, left - 2, right + 2}; }
 };
 
 // What is worked for: lines of a band, columns of the screen.
@@ -58,10 +58,15 @@ struct PatchWindow {
 struct CellParts {
   enum : std::uint8_t { kNone = 0, kUpper = 1, kLower = 2, kQuad = kUpper | kLower, kApart = 4 };
 
-  // Those that turn their fronts to the viewer, `two_sided`: all. `mirrored`: fronts run clockwise.
+  // Those that turn their fronts to the viewer, `two_sided`: all. `mirrored`: fronts run clockwise. kNear: the corners
+  // differ by less than 2^15 units each way.
+  template <bool kNear = false>
   static std::uint8_t of(PackedXY a, PackedXY b, PackedXY c, PackedXY d, bool mirrored, bool two_sided) {
     // Doubled, negative for fronts; a b c + a c d = a b d + b c d.
-    std::int32_t abc = doubled_area(a, b, c), acd = doubled_area(a, c, d), abd = doubled_area(a, b, d);
+    constexpr auto area = [](PackedXY p, PackedXY q, PackedXY r) {
+      return kNear ? doubled_area_near(p, q, r) : doubled_area(p, q, r);
+    };
+    std::int32_t abc = area(a, b, c), acd = area(a, c, d), abd = area(a, b, d);
     if (mirrored) {
       abc = -abc;
       acd = -acd;

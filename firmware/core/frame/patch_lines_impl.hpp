@@ -235,16 +235,24 @@ void PatchLines<kTaps, kPaint>::feed(std::uint16_t line, const Add& add) {
       above_right = {v - stride, (at - stride)->parts};
       above_left = {v - stride - 1, (at - stride)[-1].parts};
     }
+    // Half of the edges run up.
+    const auto runs_down = [&](const GridVertex* to) { return !from.has_ended(PackedXY(to->at)); };
     const auto edge = [&](const GridVertex* to, FaceId begins, FaceId ends) {
-      const PackedXY bottom(to->at);
-      if (!from.has_ended(bottom) && (begins | ends) != 0) add(from, bottom, begins, ends);
+      if ((begins | ends) != 0) add(from, PackedXY(to->at), begins, ends);
     };
-    if ((above_left.parts | above_right.parts) != 0) edge(at - stride, above_right.lower(), above_left.upper());
-    if ((above_left.parts | below_left.parts) != 0) edge(at - 1, above_left.lower(), below_left.upper());
-    if (above_left.apart()) edge(at - stride - 1, above_left.upper(), above_left.lower());
-    if ((above_right.parts | below_right.parts) != 0) edge(at + 1, below_right.upper(), above_right.lower());
-    if ((below_left.parts | below_right.parts) != 0) edge(at + stride, below_left.upper(), below_right.lower());
-    if (below_right.apart()) edge(at + stride + 1, below_right.lower(), below_right.upper());
+    const GridVertex *const up = at - stride, *const down = at + stride;
+    if ((above_left.parts | above_right.parts) != 0 && runs_down(up)) edge(up, above_right.lower(), above_left.upper());
+    if ((above_left.parts | below_left.parts) != 0 && runs_down(at - 1)) {
+      edge(at - 1, above_left.lower(), below_left.upper());
+    }
+    if (above_left.apart() && runs_down(up - 1)) edge(up - 1, above_left.upper(), above_left.lower());
+    if ((above_right.parts | below_right.parts) != 0 && runs_down(at + 1)) {
+      edge(at + 1, below_right.upper(), above_right.lower());
+    }
+    if ((below_left.parts | below_right.parts) != 0 && runs_down(down)) {
+      edge(down, below_left.upper(), below_right.lower());
+    }
+    if (below_right.apart() && runs_down(down + 1)) edge(down + 1, below_right.lower(), below_right.upper());
   }
 }
 

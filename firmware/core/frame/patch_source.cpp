@@ -73,8 +73,9 @@ bool PatchSource::dice_rows(PatchJob& job) {
   for (std::uint32_t i = 0; i <= job.rows(); ++i) {
     Row& above = rows[(i + 1) % 2];
     Row& below = rows[i % 2];
-    const GridRow grid = job.dicer->next_row();
-    below = {.scratch = below.scratch, .grid = grid, .index = i, .bounds = job.bounds_of(grid)};
+    below = {.scratch = below.scratch, .index = i};
+    job.dicer->next_row(below.grid);
+    below.bounds = job.bounds_of(below.grid);
     if (i == 0) continue;
     ScreenBounds both = above.bounds;
     both.widen(below.bounds);
