@@ -55,7 +55,7 @@ class BandVertices {
   void begin_band(std::int32_t top);
   std::int32_t end() const { return end_; }
   // The first vertex from `from` on that file() is to be said of, or as many as there are.
-  std::uint32_t next_to_file(std::uint32_t from) const { return next(from, 1, last_key_); }
+  std::uint32_t next_to_file(std::uint32_t from) const;
   void file(std::uint32_t vertex, ScreenXY at);
 
   // The vertices of a line of the band from left to right. What pop(line) gives has been reached.
@@ -87,7 +87,8 @@ class BandVertices {
     return line < bottom_ ? static_cast<std::uint8_t>(1 + ((line - top_) >> shift_)) : kBelow;
   }
   std::uint32_t bucket(std::int32_t line) const { return static_cast<std::uint32_t>(line - band_top_ + 1); }
-  std::int32_t longest() const;
+  void plan();
+  static const std::uint8_t* skip(const std::uint8_t* key, const std::uint8_t* end, std::uint32_t last);
   // The first vertex with one of `keys` keys from `first` on.
   std::uint32_t next(std::uint32_t from, std::uint32_t first, std::uint32_t keys) const {
     const std::uint8_t *key = &keys_[0] + 1 + from, *const end = &keys_[0] + 1 + count_;
@@ -104,6 +105,10 @@ class BandVertices {
   std::int32_t band_top_ = 0, end_ = 0;  // of the band
   std::uint32_t shift_ = 0;              // of lines to keys
   std::uint32_t last_key_ = 0;           // of the band's lines
+  // The keys that the next bands end before.
+  static constexpr std::uint8_t kMostPlanned = 8;
+  std::uint8_t planned_ends_[kMostPlanned];
+  std::uint8_t planned_ = 0, next_planned_ = 0;
   std::uint8_t filed_ = 0;
 };
 
