@@ -90,8 +90,7 @@ bool EdgeWalker::make_way() {
   const std::ptrdiff_t at_zero = left_of_screen(walk_.now) + left_of_screen(walk_.alive_end + 1);
   std::ptrdiff_t gap = begun + kShortColumn;
   if (at_zero > gap) gap = at_zero;
-  if (has_long_column()) [[unlikely]]
-    gap = alive + begun;
+  if (gap > alive + begun || has_long_column()) gap = alive + begun;
   const auto needed = static_cast<std::uint32_t>(gap + (end - walk_.now));
   if (needed > most_) most_ = needed;
   if (needed > capacity_) return false;

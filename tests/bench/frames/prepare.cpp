@@ -62,7 +62,7 @@ std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, s
   constexpr std::uint32_t kStack = 1744;  // what frames take on an M4, and the Frame itself
   const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
   for (const unsigned lines : {2u, 1u}) {
-    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < kStack + lines * line) break;
+    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < kStack + lines * line) continue;
     const std::optional<Budget> budget = shrunk_budget(scene, 0, 0, fitted, memory - kStack - lines * line);
     if (budget && (lines == 1 || budget->band_vertices == 0)) return {*budget, lines};
   }
