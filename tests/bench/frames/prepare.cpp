@@ -59,7 +59,7 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
 
 // The budget that draws the scene in so many bytes, with two line buffers where it is whole then, else with one.
 std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, std::uint32_t memory) {
-  constexpr std::uint32_t kStack = 1744;  // what frames take on an M4, and the Frame itself
+  constexpr std::uint32_t kStack = 1824;  // what frames take on an M4, and the Frame itself
   const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
   for (const unsigned lines : {2u, 1u}) {
     if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < kStack + lines * line) continue;
