@@ -24,11 +24,13 @@ struct Rule {
   Piece piece;
 };
 constexpr Rule kRules[] = {{"::project(", kVertex},
-                           {">::begin(spanline::SceneView", kFace},
-                           {"::cull<", kFace},
+                           {">::begin", kFace},
+                           {"::cull", kFace},
                            {"::light_", kFace},
                            {"VertexBuckets::Mesh::file", kFace},
                            {"::start_edges", kEdge},
+                           {"spanline_start", kEdge},
+                           {"spanline_insert", kEdge},
                            {"DepthRows::plane", kPlane},
                            {"depth_plane(", kPlane},
                            {"::make_look(", kLook},

@@ -21,10 +21,10 @@ struct CurvedPicture {
 
 inline constexpr CurvedPicture kCurves[] = {
     {"wire", &wire::scene, &wire::camera, 0xdadaa60f},
-    {"dial", &dial::scene, &dial::camera, 0xeb211d94},
-    {"glyphs", &glyphs::scene, &glyphs::camera, 0x892d4cd6},
+    {"dial", &dial::scene, &dial::camera, 0x8e932461},
+    {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
-inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x47f54dfa}};
+inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x88ca5549}};
 
 // Both hold all of their pictures, and have room in 64 KB one beside the other.
 inline constexpr Budget kCurvesBudget{.facets = 16,
