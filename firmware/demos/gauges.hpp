@@ -16,6 +16,7 @@ inline constexpr Budget kGaugesLarge{.facets = 1398,
                                      .vertices = 1431,
                                      .edges = 132,
                                      .walker = Walker::edges,
+                                     .planes = 31,
                                      .kept_instances = 12,
                                      .scan_out = ScanPolicy::tiles};
 
