@@ -134,8 +134,8 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   }
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
-  // Of closed meshes half the faces are seen, of a patch any number of cells.
-  budget.planes = cache_for(view.face_count() / 2 / PlaneCache::kReachesPerPlane, kMostPlanes);
+  // Of closed meshes half the faces are seen; where they are few, all may pierce others, of many most do not.
+  budget.planes = cache_for(view.face_count() / 2, kMostPlanes);
   budget.looks = static_cast<std::uint16_t>(view.has_patches() ? kMostLooks
                                                                : std::min<std::size_t>(view.face_count(), kMostLooks));
   budget.tables = cache_for(materials - 1, kMostTables);

@@ -76,6 +76,9 @@ TEST(FittedBudget, KnowsWhatTheEdgeWalkerDraws) {
   EXPECT_EQ(budget->facets, 992);
   EXPECT_EQ(budget->vertices, scene.meshes().front().positions.size());
   EXPECT_EQ(budget->planes, 15);
+  CompiledScene cube = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/S1.json"));
+  cube.triangulate();
+  EXPECT_EQ(fitted_edge_budget(cube, 0, 0)->planes, 7);  // all six that are seen, which others could pierce
   CompiledScene gears = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/clockwork.json"));
   EXPECT_FALSE(fitted_edge_budget(gears, 0, 0));  // faces of many corners
 }
