@@ -28,10 +28,11 @@ class DepthRows {
   FaceId nearest(const OverlapSet& set, PlaneCache& cache);
   // Likewise of two faces.
   FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) {
-    const DepthReach of_a = reach_of(a, cache);  // the other one may take its place
+    const DepthReach& of_a = reach_of(a, cache);
+    const std::int32_t nearest = of_a.nearest, farthest = of_a.farthest;  // the other one may take its place
     const DepthReach& of_b = reach_of(b, cache);
-    if (apart(of_a.farthest, of_b.nearest)) return a;
-    return apart(of_b.farthest, of_a.nearest) ? b : FaceId{0};
+    if (apart(farthest, of_b.nearest)) return a;
+    return apart(of_b.farthest, nearest) ? b : FaceId{0};
   }
 
  private:
