@@ -26,7 +26,7 @@ BrightnessPlane PatchGrids::brightness(FaceId face) const {
   std::uint32_t corner[4];
   const std::uint32_t count = corners(face, corner);
   ScreenXY at[4];
-  Brightness level[4];
+  Brightness level[4]{};
   for (std::uint32_t i = 0; i != count; ++i) {
     at[i] = v_[corner[i]].at;
     level[i] = static_cast<Brightness>(v_[corner[i]].color);
