@@ -5,11 +5,8 @@
 # usage: growth.sh SOURCE WORK FRAMES    (FRAMES: the tool spanline-frames)
 set -eu
 [ $# -eq 3 ] || { echo "usage: growth.sh SOURCE WORK FRAMES" >&2; exit 2; }
-source=$1
-mkdir -p "$2/growth"
-work=$(cd "$2/growth" && pwd)
-tool=$3
-
+. "$1/tests/bench/images.sh"
+begin_images "$1" "$2/growth" "$3"
 . "$source/tests/bench/balls.sh"
 set --
 for rings in 6 9 16 28 50 71; do

@@ -4,10 +4,8 @@
 # usage: prices.sh SOURCE WORK FRAMES    (FRAMES: the tool spanline-frames)
 set -eu
 [ $# -eq 3 ] || { echo "usage: prices.sh SOURCE WORK FRAMES" >&2; exit 2; }
-source=$1
-mkdir -p "$2/prices"
-work=$(cd "$2/prices" && pwd)
-tool=$3
+. "$1/tests/bench/images.sh"
+begin_images "$1" "$2/prices" "$3"
 . "$source/tests/bench/balls.sh"
 
 names='S1 S3 S4'
