@@ -32,5 +32,5 @@ check() {
       exit bad
     }'
 }
-check in-24-KB 24 2120
-check in-18-KB 18 3765
+check in-24-KB 24 1960
+check in-18-KB 18 3570

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "core/shade/flat_light.hpp"
+#include "core/vsg/x_list.hpp"
 
 namespace spanline {
 
@@ -139,25 +140,29 @@ void PatchGrids::close(const PatchJob& job, Open& grid) {
 std::uint32_t PatchGrids::pack(std::uint32_t from, std::uint32_t to) {
   const GridVertex header = v_[from];
   const std::uint32_t rows = static_cast<std::uint32_t>(header.at.x), stride = header.stride;
+  // Of each row only what lies beyond the columns that are kept already is looked at.
   std::uint32_t top = rows, bottom = 0, left = stride, right = 0;
-  const GridVertex* at = &v_[from + 1];
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (std::uint32_t column = 0; column < stride; ++column, ++at) {
-      if (at->parts == CellParts::kNone) continue;
-      if (row < top) top = row;
-      bottom = row;
-      if (column < left) left = column;
-      if (column > right) right = column;
-    }
+  const GridVertex* first = &v_[from + 1];
+  for (std::uint32_t row = 0; row < rows; ++row, first += stride) {
+    std::uint32_t column = 0;
+    while (column < stride && first[column].parts == CellParts::kNone) ++column;
+    if (column == stride) continue;
+    if (row < top) top = row;
+    bottom = row;
+    if (column < left) left = column;
+    if (column > right) right = column;
+    for (column = stride - 1; column > right && first[column].parts == CellParts::kNone;) --column;
+    right = column;
   }
   if (top == rows) return to;
   const std::uint32_t kept = right - left + 2;
   v_[to] = header;
   v_[to].at.x = static_cast<std::int16_t>(bottom - top + 2);
   v_[to].stride = kept & 0x7fu;
+  const GridVertex* in = &v_[from + 1 + top * stride + left];
   GridVertex* out = &v_[to + 1];
-  for (std::uint32_t row = top; row <= bottom + 1; ++row) {
-    const GridVertex* in = &v_[from + 1 + row * stride + left];
+  if (in == out && kept == stride) return to + size(to);
+  for (std::uint32_t row = top; row <= bottom + 1; ++row, in += stride - kept) {
     for (std::uint32_t i = 0; i < kept; ++i, ++out) {
       *out = *in++;
       out->stride = kept & 0x7fu;
@@ -186,77 +191,112 @@ void PatchGrids::shrink(std::int32_t bottom) {
 }
 
 void PatchGrids::file(const PoolRef<std::uint16_t>& buckets) {
-  for (std::int32_t i = 1; i <= bottom_ - top_; ++i) buckets[static_cast<std::uint32_t>(i)] = 0;
-  for (std::uint32_t header = 1; header <= used_; header += size(header)) {
-    const std::uint32_t stride = v_[header].stride;
-    for (std::uint32_t i = header + 1; i < header + size(header); ++i) {
-      if (!has_cell(i, stride)) continue;
-      const std::int32_t own = first_centre(v_[i].at.y);
-      if (own >= bottom_) continue;
-      std::uint16_t& bucket = buckets[static_cast<std::uint32_t>(own > top_ ? own - top_ + 1 : 1)];
-      v_[i].next = bucket & 0x1fffu;
-      bucket = static_cast<std::uint16_t>(i);
+  GridVertex* const v = &v_[0];
+  std::uint16_t* const lists = &buckets[1];
+  const std::int32_t top = top_, lines = bottom_ - top_;
+  for (std::int32_t i = 0; i < lines; ++i) lists[i] = 0;
+  for (std::uint32_t header = 1, end; header <= used_; header = end) {
+    const std::uint32_t stride = v[header].stride;
+    end = header + size(header);
+    std::uint32_t left = CellParts::kNone;  // of the cells left of the vertex
+    for (std::uint32_t i = header + 1; i != end; ++i) {
+      GridVertex& vertex = v[i];
+      const std::uint32_t own = vertex.parts, right = vertex.first_row != 0 ? own : own | v[i - stride].parts;
+      const std::uint32_t around = left | right;
+      left = right;  // none in the last column
+      if (around == CellParts::kNone) continue;
+      const std::int32_t line = first_centre(vertex.at.y) - top;
+      if (line >= lines) continue;
+      std::uint16_t& first = lists[line > 0 ? line : 0];
+      vertex.next = first & 0x1fffu;
+      first = static_cast<std::uint16_t>(i);
     }
   }
 }
 
-// As VertexBuckets::sorted().
-std::uint16_t PatchGrids::sorted(std::uint16_t unsorted) const {
-  std::uint16_t first = 0, hint = 0;
-  for (std::uint16_t vertex = unsorted; vertex != 0;) {
-    const std::uint16_t rest = v_[vertex].next;
-    const std::int32_t x = v_[vertex].at.x;
-    std::uint16_t before = hint != 0 && v_[hint].at.x <= x ? hint : std::uint16_t{0};
-    for (std::uint16_t after = before == 0 ? first : v_[before].next; after != 0 && v_[after].at.x < x;) {
-      before = after;
-      after = v_[after].next;
-    }
-    if (before == 0) {
-      v_[vertex].next = first & 0x1fffu;
-      first = vertex;
-    } else {
-      v_[vertex].next = v_[before].next;
-      v_[before].next = vertex & 0x1fffu;
-    }
-    hint = vertex;
-    vertex = rest;
-  }
-  return first;
+std::uint16_t PatchGrids::sorted(std::uint16_t first) const {
+  struct Links {
+    GridVertex* v;
+    std::uint16_t next(std::uint16_t vertex) const { return v[vertex].next; }
+    void link(std::uint16_t vertex, std::uint16_t next) const { v[vertex].next = next & 0x1fffu; }
+    std::int32_t x(std::uint16_t vertex) const { return v[vertex].at.x; }
+  };
+  return sorted_by_x<0>(Links{&v_[0]}, first);
 }
 
 std::uint32_t PatchGrids::corners(FaceId face, std::uint32_t (&corner)[4]) const {
   const std::uint32_t a = face / 2u, d = a + v_[a].stride;
-  const std::uint32_t all[4] = {a, a + 1, d + 1, d};
-  std::uint32_t count = 0;
-  const bool apart = (v_[a].parts & CellParts::kApart) != 0;
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    if (apart && i == (face % 2u != 0 ? 1u : 3u)) continue;
-    corner[count++] = all[i];
+  corner[0] = a;
+  corner[1] = a + 1;
+  corner[2] = d + 1;
+  corner[3] = d;
+  if ((v_[a].parts & CellParts::kApart) == 0) return 4;
+  if (face % 2u != 0) {
+    corner[1] = d + 1;
+    corner[2] = d;
   }
-  return count;
+  return 3;
+}
+
+template <typename Take>
+void PatchGrids::each_crossing(FaceId face, std::int32_t line, const Take& take) const {
+  std::uint32_t corner[4];
+  const std::uint32_t count = corners(face, corner);
+  const std::int32_t centre = line * kSubpixels + kSubpixels / 2;
+  const GridVertex* from = &v_[corner[count - 1]];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const GridVertex* const to = &v_[corner[i]];
+    const bool above = from->at.y <= centre;
+    if (above != (to->at.y <= centre)) above ? take(*from, *to, true) : take(*to, *from, false);
+    from = to;
+  }
 }
 
 bool PatchGrids::find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const {
-  std::uint32_t corner[4];
-  const std::uint32_t count = corners(face, corner);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const GridVertex& from = v_[corner[i]];
-    const GridVertex& to = v_[corner[i + 1 == count ? 0 : i + 1]];
-    const GridVertex& top = down ? from : to;
-    const GridVertex& bottom = down ? to : from;
-    if (first_centre(top.at.y) > line || first_centre(bottom.at.y) <= line) continue;
+  bool found = false;
+  each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool runs_down) {
+    if (runs_down != down) return;
     edge.top = {top.at, top.depth, {}};
     edge.bottom = {bottom.at, bottom.depth, {}};
-    return true;
-  }
-  return false;
+    found = true;
+  });
+  return found;
+}
+
+// A unit of DepthReach.
+static std::int32_t reach_unit(std::uint32_t depth) {
+  return static_cast<std::int32_t>(depth >> (kDepthBits - 16)) + INT16_MIN;
+}
+
+DepthReach PatchGrids::reach(FaceId face) const {
+  const GridVertex* const above = &v_[face / 2u];
+  const GridVertex* const below = above + above->stride;
+  const std::uint32_t a = above->depth, b = above[1].depth, c = below[1].depth, d = below->depth;
+  const std::uint32_t low_ab = a < b ? a : b, high_ab = a < b ? b : a;
+  const std::uint32_t low_cd = c < d ? c : d, high_cd = c < d ? d : c;
+  return {face, static_cast<std::int16_t>(reach_unit(high_ab > high_cd ? high_ab : high_cd)),
+          static_cast<std::int16_t>(reach_unit(low_ab < low_cd ? low_ab : low_cd))};
+}
+
+DepthReach PatchGrids::reach(FaceId face, std::int32_t line) const {
+  const std::int32_t centre = line * kSubpixels + kSubpixels / 2;
+  std::int32_t nearest = INT16_MIN, farthest = INT16_MAX;
+  each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool) {
+    const std::int32_t start = reach_unit(top.depth), rise = reach_unit(bottom.depth) - start;
+    static_assert(0xffff * std::int64_t{kMaxExtent * kSubpixels - 1} <= INT32_MAX, "from the top to the line");
+    const std::int32_t depth = start + rise * (centre - top.at.y) / (bottom.at.y - top.at.y);
+    if (depth > nearest) nearest = depth;
+    if (depth < farthest) farthest = depth;
+  });
+  return {face, static_cast<std::int16_t>(nearest), static_cast<std::int16_t>(farthest)};
 }
 
 DepthRamp PatchGrids::ramp(FaceId face, std::int32_t line) const {
-  ScreenEdge left, right;
-  [[maybe_unused]] const bool crossed = find_edge(face, line, true, left) && find_edge(face, line, false, right);
-  CHECK(crossed);
-  return depth_between(start_edge(left, line, true), start_edge(right, line, true));
+  SegmentHalf left, right;
+  each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool down) {
+    (down ? left : right) = start_edge({{top.at, top.depth, {}}, {bottom.at, bottom.depth, {}}}, line, true);
+  });
+  return depth_between(left, right);
 }
 
 std::uint16_t PatchGrids::scene_face(FaceId face) const {

@@ -6,6 +6,7 @@
 #include "core/frame/patch_job.hpp"
 #include "core/vsg/active_edge.hpp"
 #include "core/vsg/depth.hpp"
+#include "core/vsg/plane_cache.hpp"
 
 namespace spanline {
 
@@ -73,18 +74,10 @@ class PatchGrids {
   std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
   // The edge of a face that crosses `line` and runs down (on its left) or up. False where none does.
   bool find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const;
-  // What its corners' depths lie between.
-  struct DepthRange {
-    std::uint32_t least, most;
-  };
-  DepthRange depth_range(FaceId face) const {
-    const GridVertex* const above = &v_[face / 2u];
-    const GridVertex* const below = above + above->stride;
-    const std::uint32_t a = above->depth, b = above[1].depth, c = below[1].depth, d = below->depth;
-    const std::uint32_t low_ab = a < b ? a : b, high_ab = a < b ? b : a;
-    const std::uint32_t low_cd = c < d ? c : d, high_cd = c < d ? d : c;
-    return {low_ab < low_cd ? low_ab : low_cd, high_ab > high_cd ? high_ab : high_cd};
-  }
+  // What its corners' depths lie between, in units of 1/65536 less half the range; nearer ones are greater.
+  DepthReach reach(FaceId face) const;
+  // The same of its two edges on a line that it covers a pixel of, less by two units or greater by one at most.
+  DepthReach reach(FaceId face, std::int32_t line) const;
   // Its depth along a line that it covers a pixel of.
   DepthRamp ramp(FaceId face, std::int32_t line) const;
   // The number of its patch in the scene.
@@ -104,6 +97,9 @@ class PatchGrids {
     if (v_[vertex].first_row == 0) around |= std::uint32_t{v_[vertex - stride].parts} | v_[vertex - stride - 1].parts;
     return around != CellParts::kNone;
   }
+  // take(top, bottom, whether it runs down) for a face's edges that cross a line, one that does and one that runs up.
+  template <typename Take>
+  void each_crossing(FaceId face, std::int32_t line, const Take& take) const;
   std::uint32_t pack(std::uint32_t from, std::uint32_t to);
   std::uint32_t size(std::uint32_t header) const {
     return 1 + static_cast<std::uint32_t>(v_[header].at.x) * v_[header].stride;

@@ -39,8 +39,7 @@ class PatchLines {
   Status plan(std::uint16_t top);
   Status dice_all();
   Status dice(std::uint16_t face, const LightRig& rig);
-  template <typename Add>
-  void feed(std::uint16_t line, const Add& add);
+  bool start_edges(std::uint16_t line);
   bool run_again(ActiveEdge& edge, std::int32_t line);
 
   SceneView scene_;

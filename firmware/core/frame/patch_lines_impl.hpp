@@ -3,6 +3,7 @@
 
 #include "core/frame/patch_lines.hpp"
 #include "core/shade/grid_walk.hpp"
+#include "core/vsg/grid_start.hpp"
 
 namespace spanline {
 
@@ -76,26 +77,45 @@ struct PatchLines<kTaps, kPaint>::Planes {
     lines.planes_made_ = true;
     return {lines.grids_.ramp(face, line), 0};
   }
-  static constexpr std::uint32_t kUnit = 1u << (kDepthBits - 16);
-  FaceId nearer(FaceId a, FaceId b, PlaneCache&) const {
-    const PatchGrids::DepthRange of_a = lines.grids_.depth_range(a), of_b = lines.grids_.depth_range(b);
-    if (of_a.least > of_b.most + kUnit) return a;
-    return of_b.least > of_a.most + kUnit ? b : FaceId{0};
+  FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const {
+    const DepthReach& of_a = reach_of(a, cache);
+    const std::int32_t nearest = of_a.nearest, farthest = of_a.farthest;  // the other one may take its place
+    const DepthReach& of_b = reach_of(b, cache);
+    if (apart(farthest, of_b.nearest)) return a;
+    if (apart(of_b.farthest, nearest)) return b;
+    return nearer_on_line(a, b);
   }
-  FaceId nearest(const OverlapSet& set, PlaneCache&) const {
-    FaceId face = 0;
-    std::uint32_t least = 0, most = 0, others = 0;  // the face's own depths; the largest of the others
+  FaceId nearest(const OverlapSet& set, PlaneCache& cache) const {
+    FaceId front = 0;
+    std::int32_t farthest = INT16_MIN, nearest = INT16_MIN, others = INT16_MIN;  // as in DepthRows::nearest()
     for (unsigned i = 0; i < set.count(); ++i) {
-      const PatchGrids::DepthRange range = lines.grids_.depth_range(set[i]);
-      std::uint32_t passed = range.most;
-      if (range.least >= least) {
-        face = set[i];
-        passed = std::exchange(most, range.most);
-        least = range.least;
+      const DepthReach& of = reach_of(set[i], cache);
+      std::int32_t passed = of.nearest;
+      if (of.farthest > farthest) {
+        front = set[i];
+        farthest = of.farthest;
+        passed = std::exchange(nearest, passed);
       }
       if (passed > others) others = passed;
     }
-    return least > others + kUnit ? face : FaceId{0};
+    return apart(farthest, others) ? front : FaceId{0};
+  }
+
+ private:
+  const DepthReach& reach_of(FaceId face, PlaneCache& cache) const {
+    return cache.reach(face, [this, face](DepthReach& to) { to = lines.grids_.reach(face); });
+  }
+  // Likewise by what they reach on the line alone.
+  [[gnu::noinline]] FaceId nearer_on_line(FaceId a, FaceId b) const {
+    const DepthReach of_a = lines.grids_.reach(a, line), of_b = lines.grids_.reach(b, line);
+    if (apart<kOff>(of_a.farthest, of_b.nearest)) return a;
+    return apart<kOff>(of_b.farthest, of_a.nearest) ? b : FaceId{0};
+  }
+  // Reaches are cut down to units of depth, those on a line are off by kOff more, and ramps by less than one.
+  static constexpr std::int32_t kOff = 2;
+  template <std::int32_t kMore = 0>
+  static bool apart(std::int32_t farthest, std::int32_t nearest) {
+    return farthest > nearest + 1 + kMore;
   }
 };
 
@@ -205,55 +225,14 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) 
   }
 }
 
-// A cell of a grid, as its corners look at it.
-struct GridCell {
-  std::uint32_t vertex = 0, parts = CellParts::kNone;
-
-  // The face that its upper, or its lower triangle belongs to; 0 where it is not drawn.
-  FaceId upper() const { return static_cast<FaceId>((parts & CellParts::kUpper) != 0 ? 2 * vertex : 0); }
-  FaceId lower() const {
-    static_assert(CellParts::kApart == 4);
-    return static_cast<FaceId>((parts & CellParts::kLower) != 0 ? 2 * vertex + (parts >> 2) : 0);
-  }
-  bool apart() const { return (parts & CellParts::kApart) != 0; }
-};
-
-// The edges that begin on the line: each from its upper end to its neighbours in the grid, and in cells cut in two.
+// Starts the edges that begin on the line; false where there is no room for one.
 template <bool kTaps, Paint kPaint>
-template <typename Add>
-void PatchLines<kTaps, kPaint>::feed(std::uint16_t line, const Add& add) {
-  std::uint16_t first = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
-  if (line != top_) first = grids_.sorted(first);
-  for (std::uint32_t v = first; v != 0; v = grids_[v].next) {
-    const GridVertex* const at = &grids_[v];
-    const std::uint32_t stride = at->stride;
-    const FromVertex from(PackedXY(at->at), line);
-    // The cells around the vertex; beyond the grid's rim they have no parts.
-    const GridCell below_right{v, at->parts}, below_left{v - 1, at[-1].parts};
-    GridCell above_left, above_right;
-    if (at->first_row == 0) {
-      above_right = {v - stride, (at - stride)->parts};
-      above_left = {v - stride - 1, (at - stride)[-1].parts};
-    }
-    // Half of the edges run up.
-    const auto runs_down = [&](const GridVertex* to) { return !from.has_ended(PackedXY(to->at)); };
-    const auto edge = [&](const GridVertex* to, FaceId begins, FaceId ends) {
-      if ((begins | ends) != 0) add(from, PackedXY(to->at), begins, ends);
-    };
-    const GridVertex *const up = at - stride, *const down = at + stride;
-    if ((above_left.parts | above_right.parts) != 0 && runs_down(up)) edge(up, above_right.lower(), above_left.upper());
-    if ((above_left.parts | below_left.parts) != 0 && runs_down(at - 1)) {
-      edge(at - 1, above_left.lower(), below_left.upper());
-    }
-    if (above_left.apart() && runs_down(up - 1)) edge(up - 1, above_left.upper(), above_left.lower());
-    if ((above_right.parts | below_right.parts) != 0 && runs_down(at + 1)) {
-      edge(at + 1, below_right.upper(), above_right.lower());
-    }
-    if ((below_left.parts | below_right.parts) != 0 && runs_down(down)) {
-      edge(down, below_left.upper(), below_right.lower());
-    }
-    if (below_right.apart() && runs_down(down + 1)) edge(down + 1, below_right.lower(), below_right.upper());
-  }
+bool PatchLines<kTaps, kPaint>::start_edges(std::uint16_t line) {
+  return walker_.start_by([this, line](ActiveEdge* first, const ActiveEdge* last) {
+    std::uint16_t vertex = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
+    if (line != top_) vertex = grids_.sorted(vertex);
+    return GridStart<GridVertex>(&grids_[0], line).start(vertex, first, last);
+  });
 }
 
 template <bool kTaps, Paint kPaint>
@@ -282,7 +261,7 @@ bool PatchLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const
   } else {
     grids_.set_background(painter.background());
   }
-  if (!walker_.start_fed([&](const auto& add) { feed(line, add); })) {
+  if (!start_edges(line)) {
     const std::uint32_t capacity = walker_.edge_capacity();
     return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
   }

@@ -88,6 +88,10 @@ class EdgeWalker {
   void begin();
   template <bool kInPlace = false, typename Feed>
   bool start_fed(const Feed& feed);
+  // The same by start(first, last), which puts them to `first` in order, none of them to `last`, and returns their end,
+  // or null where there is no room for one. first[-1].x is INT32_MIN.
+  template <typename Start>
+  bool start_by(const Start& start);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
   // face that is nearer than every other one wherever both are, or 0 where that takes planes; plane.nearer(FaceId,
   // FaceId, PlaneCache&) likewise of two.
@@ -186,6 +190,16 @@ bool EdgeWalker::start_fed(const Feed& feed) {
   });
   if (room) end_start(started);
   return room;
+}
+
+template <typename Start>
+bool EdgeWalker::start_by(const Start& start) {
+  ActiveEdge* const first = walk_.alive_end + 1;
+  walk_.alive_end->x = INT32_MIN;
+  ActiveEdge* const out = start(first, walk_.now + capacity_);
+  if (out == nullptr) return false;
+  end_start({first, out});
+  return true;
 }
 
 // The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.

@@ -2,6 +2,7 @@
 
 #include "core/base/pool.hpp"
 #include "core/geom/screen.hpp"
+#include "core/vsg/x_list.hpp"
 
 namespace spanline {
 
@@ -47,9 +48,8 @@ class VertexBuckets {
     std::uint32_t first_;
   };
 
-  // The vertices of a line from left to right, as a list through links(). Those that lie side by side in the mesh have
-  // mostly been filed in this order, so that the list has them reversed, or in the other, for which a hint is kept.
-  // Those of the top line stay as they are, since few of what lies above it has edges that reach it.
+  // The vertices of a line from left to right, as a list through links(). Those of the top line stay as they are, since
+  // few of what lies above it has edges that reach it.
   std::uint16_t sorted(std::int32_t line);
   std::uint16_t* links() const { return links_.sink(); }
 
@@ -64,34 +64,14 @@ class VertexBuckets {
 };
 
 inline std::uint16_t VertexBuckets::sorted(std::int32_t line) {
-  std::uint16_t* const links = links_.sink();
-  const ScreenXY* const points = points_.sink();
-  std::uint16_t first = at(line), last = first, hint = first;
-  if (line == top_ || first == kEnd) return first;
-  std::int32_t first_x = points[first].x, last_x = first_x;
-  for (std::uint16_t vertex; (vertex = links[last]) != kEnd; hint = vertex) {
-    const std::int32_t x = points[vertex].x;
-    if (x >= last_x) {
-      last = vertex;
-      last_x = x;
-      continue;
-    }
-    links[last] = links[vertex];
-    if (x <= first_x) {
-      links[vertex] = first;
-      first = vertex;
-      first_x = x;
-      continue;
-    }
-    std::uint16_t before = points[hint].x <= x ? hint : first, after = links[before];
-    while (points[after].x < x) {  // the last one is not
-      before = after;
-      after = links[after];
-    }
-    links[vertex] = after;
-    links[before] = vertex;
-  }
-  return first;
+  struct Links {
+    std::uint16_t* links;
+    const ScreenXY* points;
+    std::uint16_t next(std::uint16_t vertex) const { return links[vertex]; }
+    void link(std::uint16_t vertex, std::uint16_t next) const { links[vertex] = next; }
+    std::int32_t x(std::uint16_t vertex) const { return points[vertex].x; }
+  };
+  return line == top_ ? at(line) : sorted_by_x<kEnd>(Links{links_.sink(), points_.sink()}, at(line));
 }
 
 }  // namespace spanline

@@ -1,0 +1,98 @@
+// The edges that begin on a line where faces lie in grids: each from its upper end to its neighbours in the grid.
+#pragma once
+
+#include "core/vsg/active_edge.hpp"
+#include "core/vsg/line_walk.hpp"
+
+namespace spanline {
+
+// What cell v of a grid covers, whose first corner is vertex v: its faces are 2 v, and 2 v + 1 where the triangle below
+// is a face of its own. Bits of `parts` say whether the upper, the lower triangle is drawn and whether they are apart.
+struct CellCovers {
+  static constexpr std::uint32_t kUpper = 1, kLower = 2, kApart = 4;
+
+  CoverKey upper = 0, lower = 0;
+
+  CellCovers() = default;
+  CellCovers(std::uint32_t vertex, std::uint32_t parts) {
+    const CoverKey cover = (CoverKey{1} << kCoverCount) + 2 * vertex;
+    upper = only_if(parts & kUpper, cover);
+    lower = only_if((parts & kLower) / kLower, cover + parts / kApart);
+  }
+
+ private:
+  static CoverKey only_if(std::uint32_t bit, CoverKey cover) { return (0u - bit) & cover; }
+};
+
+// Starts the edges of vertices that begin on one line.
+template <typename Vertex>
+class GridStart {
+ public:
+  GridStart(const Vertex* vertices, std::int32_t line) : vertices_(vertices), line_(line) {}
+
+  // Those of a list of vertices through `next`, the first one to `begin`, before which a sentinel's x is INT32_MIN,
+  // none to `last`. Returns their end, or null where there is no room for all.
+  ActiveEdge* start(std::uint32_t vertex, ActiveEdge* const begin, const ActiveEdge* last) const {
+    ActiveEdge* out = begin;
+    for (; vertex != 0; vertex = vertices_[vertex].next) {
+      const FromVertex from(PackedXY(vertices_[vertex].at), line_);
+      const ActiveEdge* const end = last - out >= kMost ? put(vertex, out) : put_in_little_room(vertex, out, last);
+      if (end == nullptr) [[unlikely]]
+        return nullptr;
+      for (; out != end; ++out) {
+        from.run(*out, PackedXY(static_cast<std::uint32_t>(out->x)), out->rest);
+        // They come nearly in order.
+        if (out->x < out[-1].x) [[unlikely]]
+          insert_back(begin, out, ActiveEdge{*out});
+      }
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::ptrdiff_t kMost = 6;  // edges of a vertex
+
+  // Puts the vertex's edges to `out`, as FromVertex::run_far() takes them. Returns their end.
+  [[gnu::always_inline]] ActiveEdge* put(std::uint32_t vertex, ActiveEdge* out) const {
+    const Vertex* const at = &vertices_[vertex];
+    const std::uint32_t stride = at->stride;
+    const Vertex *const up = at - stride, *const down = at + stride;
+    // The cells around the vertex; beyond the grid's rim they have no parts.
+    const CellCovers below_right(vertex, at->parts), below_left(vertex - 1, at[-1].parts);
+    CellCovers above_right, above_left;
+    if (at->first_row == 0) {
+      above_right = {vertex - stride, up->parts};
+      above_left = {vertex - stride - 1, up[-1].parts};
+    }
+    // Half of the edges run up. The face counter-clockwise of an edge lies on its right.
+    const auto edge = [&out, line = line_](const Vertex* to, CoverKey begins, CoverKey ends) {
+      const PackedXY bottom(to->at);
+      if (begins == ends || bottom.y() <= line * kSubpixels + kSubpixels / 2) return;
+      out->x = static_cast<std::int32_t>(bottom.word);
+      out->toggle = begins - ends;
+      out->rest = static_cast<FaceId>(ends);
+      ++out;
+    };
+    edge(up, above_right.lower, above_left.upper);
+    edge(up - 1, above_left.upper, above_left.lower);
+    edge(at - 1, above_left.lower, below_left.upper);
+    edge(down, below_left.upper, below_right.lower);
+    edge(down + 1, below_right.lower, below_right.upper);
+    edge(at + 1, below_right.upper, above_right.lower);
+    return out;
+  }
+  // The same by way of elsewhere; null where there is no room for those that begin.
+  [[gnu::cold, gnu::noinline]] ActiveEdge* put_in_little_room(std::uint32_t vertex, ActiveEdge* out,
+                                                              const ActiveEdge* last) const {
+    ActiveEdge edges[kMost];
+    const ActiveEdge* const end = put(vertex, edges);
+    if (end - edges > last - out) return nullptr;
+    for (const ActiveEdge* edge = edges; edge != end; ++edge) *out++ = *edge;
+    return out;
+  }
+
+  const Vertex* vertices_;
+  std::int32_t line_;
+};
+
+}  // namespace spanline
