@@ -60,21 +60,24 @@ class GridStart {
     // The cells around the vertex; beyond the grid's rim they have no parts.
     const CellCovers below_right(vertex, at->parts), below_left(vertex - 1, at[-1].parts);
     CellCovers above_right, above_left;
-    if (at->first_row == 0) {
-      above_right = {vertex - stride, up->parts};
-      above_left = {vertex - stride - 1, up[-1].parts};
-    }
-    // Half of the edges run up. The face counter-clockwise of an edge lies on its right.
-    const auto edge = [&out, line = line_](const Vertex* to, CoverKey begins, CoverKey ends) {
+    // Half of the edges run up. The face counter-clockwise of an edge lies on its right. Where both sides are the same,
+    // there may be no neighbour.
+    const auto edge = [&out, centre = line_ * kSubpixels + kSubpixels / 2](const Vertex* to, CoverKey begins,
+                                                                           CoverKey ends) {
+      if (begins == ends) return;
       const PackedXY bottom(to->at);
-      if (begins == ends || bottom.y() <= line * kSubpixels + kSubpixels / 2) return;
+      if (bottom.y() <= centre) return;
       out->x = static_cast<std::int32_t>(bottom.word);
       out->toggle = begins - ends;
       out->rest = static_cast<FaceId>(ends);
       ++out;
     };
-    edge(up, above_right.lower, above_left.upper);
-    edge(up - 1, above_left.upper, above_left.lower);
+    if (at->first_row == 0) {
+      above_right = {vertex - stride, up->parts};
+      above_left = {vertex - stride - 1, up[-1].parts};
+      edge(up, above_right.lower, above_left.upper);
+      edge(up - 1, above_left.upper, above_left.lower);
+    }
     edge(at - 1, above_left.lower, below_left.upper);
     edge(down, below_left.upper, below_right.lower);
     edge(down + 1, below_right.lower, below_right.upper);

@@ -2,12 +2,16 @@
 // their line bytes, the same on the host and on every core.
 #pragma once
 
+#include <cstddef>
+#include <new>
+
 #include "boards/common/frame_marks.hpp"
 #include "core/frame/frame.hpp"
 #include "dial.hpp"
 #include "glyphs.hpp"
 #include "golden/crc32.hpp"
 #include "patches.hpp"
+#include "smooth_patches.hpp"
 #include "wire.hpp"
 
 namespace spanline::target {
@@ -25,8 +29,10 @@ inline constexpr CurvedPicture kCurves[] = {
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
 inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x88ca5549}};
+inline constexpr CurvedPicture kSmoothPatches[] = {
+    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe1bedb4c}};
 
-// Both hold all of their pictures, and have room in 64 KB one beside the other.
+// Each holds all of its pictures.
 inline constexpr Budget kCurvesBudget{.facets = 16,
                                       .vertices = 300,
                                       .polygons = 16,
@@ -37,15 +43,26 @@ inline constexpr Budget kCurvesBudget{.facets = 16,
                                       .gouraud = false};
 inline constexpr Budget kPatchesBudget{
     .facets = 0, .vertices = 0, .edges = 73, .patch_grid = 1380, .gouraud = false, .walker = Walker::edges};
+inline constexpr Budget kSmoothPatchesBudget{
+    .facets = 0, .vertices = 0, .edges = 73, .patch_grid = 1380, .walker = Walker::edges, .looks = 110};
 
 struct Drawn {
   Status status;
   std::uint32_t crc;
 };
 
+// One after the other takes it.
+inline void* room() {
+  constexpr std::size_t kForCurves = sizeof(FrameMemory<kCurvesBudget>), kForFlat = sizeof(FrameMemory<kPatchesBudget>),
+                        kForSmooth = sizeof(FrameMemory<kSmoothPatchesBudget>);
+  static_assert(kForFlat < kForSmooth);
+  alignas(std::max_align_t) static std::byte bytes[kForCurves > kForSmooth ? kForCurves : kForSmooth];
+  return bytes;
+}
+
 template <Budget kBudget>
 Drawn draw(const CurvedPicture& picture) {
-  static FrameMemory<kBudget> memory;
+  auto& memory = *new (room()) FrameMemory<kBudget>;
   alignas(4) static std::uint8_t line[bytes_per_line(kBudget.format, kBudget.width)];
   SceneView scene;
   const Status status = SceneView::validate(*picture.scene, scene);
@@ -68,6 +85,7 @@ template <typename Tell>
 void draw_all(const Tell& tell) {
   for (const CurvedPicture& picture : kCurves) tell(picture, draw<kCurvesBudget>(picture));
   for (const CurvedPicture& picture : kPatches) tell(picture, draw<kPatchesBudget>(picture));
+  for (const CurvedPicture& picture : kSmoothPatches) tell(picture, draw<kSmoothPatchesBudget>(picture));
 }
 
 }  // namespace spanline::target
