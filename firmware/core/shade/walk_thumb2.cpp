@@ -137,13 +137,15 @@ asm(R"(
     ldrh r4, [r4, #4]
     .endm
 
-@ 14 bytes each.
+@ 14 bytes each, which the table of smooth_span takes for granted: more of them are an error.
     .macro smooth_pixels count
     .rept \count
+78:
     lsr lr, r5, #26
     ldrh lr, [r6, lr, lsl #1]
     add r5, r4
     strh lr, [r0], #2
+    .org 78b + 14
     .endr
     .endm
 
