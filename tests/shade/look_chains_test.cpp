@@ -27,9 +27,9 @@ TEST(LookChains, KeepTheLooksMadeLast) {
     for (int i = 0; i < 500; ++i) {
       const auto face = static_cast<FaceId>((i + random.below(near)) % (faces + 1));
       bool anew = false;
-      const auto make = [&](FaceId f) {
+      const auto make = [&](FaceLook& look) {
         anew = true;
-        return FaceLook::flat(static_cast<std::uint16_t>(f * 7));
+        look = FaceLook::flat(static_cast<std::uint16_t>(face * 7));
       };
       const FaceLook& look = chains.look(face, make);
       ASSERT_EQ(look.face, face);

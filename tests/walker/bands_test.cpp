@@ -14,6 +14,7 @@ struct BandMemory {
   struct Sizes {
     std::uint16_t vertices, lines, looks, tables, planes, edges = 2000;
     bool gouraud = true;
+    std::uint32_t points = 0;
   };
 
   BandMemory(const SceneView& view, const Screen& screen, const Sizes& sizes)
@@ -28,11 +29,13 @@ struct BandMemory {
         planes(sizes.planes + 1u),
         reaches(PlaneCache::reaches_for(sizes.planes) + 1u),
         looks(sizes.looks + 1u),
-        tables(sizes.tables + 1u) {
+        tables(sizes.tables + 1u),
+        points(sizes.points + 1u) {
     storage.screen = screen;
     storage.mesh.walker.edges[0] = ref(edges);
     storage.mesh.walker.planes = ref(planes);
     storage.mesh.walker.reaches = ref(reaches);
+    storage.mesh.walker.points = ref(points);
     storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors), ref(heads), ref(links)};
     if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
   }
@@ -40,7 +43,6 @@ struct BandMemory {
   static PoolRef<T> ref(std::vector<T>& items) {
     return {items.data(), static_cast<std::uint16_t>(items.size() - 1)};
   }
-
   std::vector<std::uint32_t> drawn;
   std::vector<std::uint8_t> keys;
   std::vector<BandVertex> vertices;
@@ -52,6 +54,7 @@ struct BandMemory {
   std::vector<DepthReach> reaches;
   std::vector<FaceLook> looks;
   std::vector<ColorTable> tables;
+  std::vector<ScreenXY> points;
   FrameStorage storage{};
 };
 
@@ -91,7 +94,8 @@ TEST_P(Bands, ShowWhatTheWholeFrameShows) {
                        .looks = static_cast<std::uint16_t>(gouraud ? 1 + up_to(63) : mask(6) | 1),
                        .tables = mask(2),
                        .planes = mask(4),
-                       .gouraud = gouraud});
+                       .gouraud = gouraud,
+                       .points = up_to(static_cast<int>(2 * view.vertex_count()))});
     const auto cut = static_cast<std::uint16_t>(1 + up_to(2 * scene.screen.height));
     const Decisions bands = draw_by<kBands>(little.storage, view, scene.camera, cut);
     Decisions whole = draw_by<kWhole>(plenty.memory.storage(), view, scene.camera, cut);
@@ -126,9 +130,14 @@ TEST_P(BandSizes, MakeNoDifference) {
   for (const std::uint16_t vertices : std::initializer_list<std::uint16_t>{0, 1, 7, 20, 40, 63, 80, 126, 400}) {
     for (const std::uint16_t lines : std::initializer_list<std::uint16_t>{1, 13, 240}) {
       SCOPED_TRACE(testing::Message() << vertices << " vertices, " << lines << " lines");
-      BandMemory little(
-          view, screen,
-          {.vertices = vertices, .lines = lines, .looks = 15, .tables = 0, .planes = 7, .gouraud = gouraud});
+      BandMemory little(view, screen,
+                        {.vertices = vertices,
+                         .lines = lines,
+                         .looks = 15,
+                         .tables = 0,
+                         .planes = 7,
+                         .gouraud = gouraud,
+                         .points = 8u * vertices});
       expect_same(whole, draw_by<kBands>(little.storage, view, scene.camera()));
     }
   }

@@ -17,6 +17,8 @@ class BitPool {
   void clear(std::uint32_t count) {
     for (std::uint32_t word = words_for(count); word != 0; --word) words_[word] = 0;
   }
+  // The word of a number; its bit is that of number % 32.
+  const std::uint32_t* word(std::uint32_t number) const { return &words_[1 + number / 32]; }
   bool has(std::uint32_t number) const { return (words_[1 + number / 32] >> number % 32 & 1u) != 0; }
   void put(std::uint32_t number) { words_[1 + number / 32] |= 1u << number % 32; }
 

@@ -31,7 +31,12 @@ class BandLines {
 
   [[gnu::noinline]] Status check() const;
   [[gnu::noinline]] void clear(std::uint16_t top);
+  void begin_lines(std::uint16_t top);
   [[gnu::noinline]] bool cull(const InstanceCursor& at);
+  bool cull_placed(bool surely);
+  bool cull_by_places(bool surely);
+  template <typename Place>
+  void cull_by(const Place& place);
   [[gnu::noinline]] void plan(std::uint16_t top);
   // A vertex of the scene; its instance becomes that of `points_`.
   ScreenXY project(std::uint32_t vertex) {
@@ -39,8 +44,8 @@ class BandLines {
     return points_[vertex - points_.first_vertex()];
   }
   [[gnu::noinline]] bool start_edges(std::int32_t line);
-  template <typename Add>
-  void feed(std::uint32_t vertex, const FromVertex& from, const Add& add);
+  bool start_fans(BandStart& start, std::uint32_t first);
+  [[gnu::cold]] bool start_crowded(BandStart& start);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   [[gnu::noinline]] DepthPlane plane(FaceId face);
   void corners(FaceId face, ScreenXY (&at)[3]);
@@ -63,7 +68,7 @@ class BandLines {
   }
   [[gnu::noinline]] void learn_color(FaceId face);
   const std::uint16_t* colors_of(std::uint16_t material) { return smooth_.colors(material, scene_.scene()); }
-  [[gnu::noinline]] FaceLook look_of(FaceId face);
+  [[gnu::noinline]] void make_look(FaceId face, FaceLook& look);
   std::uint16_t flat_color(FaceId face);
   void bring_to_hand(FaceId face) {
     if (std::uint32_t{face} - at_hand_.first >= at_hand_.count) [[unlikely]]
@@ -79,7 +84,8 @@ class BandLines {
   Screen screen_;
   InstancePoints points_;
   BandVertices vertices_;
-  BitPool drawn_;  // faces that are seen from their fronts
+  PoolRef<ScreenXY> culled_;  // of a mesh, while its faces are culled
+  BitPool drawn_;             // faces that are seen from their fronts
   FaceColors colors_;
   SmoothCache smooth_;
   LookChains looks_;
@@ -93,8 +99,9 @@ class BandLines {
     std::uint16_t count = 0;   // of faces
     std::uint16_t material = 0;
     const MaterialRecord* look = nullptr;
-    const Normal10* normals = nullptr;  // by ids, where one light without a hue lights them
-    LightRig::One one{};                // that
+    // Where one light tells how they look: the normals, of flat ones by ids, where it has no hue either.
+    const Normal10* normals = nullptr;
+    LightRig::One one{};  // that
   } at_hand_;
   EdgeWalker walker_;
   std::uint16_t line_ = 0;  // to be made next

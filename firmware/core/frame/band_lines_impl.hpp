@@ -30,8 +30,9 @@ struct BandLines<kTaps, kPaint>::Sink {
   // Sees to the look of a face, and that the brush knows it where it is smooth.
   void learn(FaceId face) const {
     if (!mesh.smooth()) return face == 0 ? mesh.begin_line(line, painter.background()) : mesh.learn_color(face);
-    const FaceLook& look = mesh.looks_.look(
-        face, [this](FaceId f) { return f == 0 ? FaceLook::flat(painter.background()) : mesh.look_of(f); });
+    const FaceLook& look = mesh.looks_.look(face, [this, face](FaceLook& made) {
+      face == 0 ? void(made = FaceLook::flat(painter.background())) : mesh.make_look(face, made);
+    });
     if (look.smooth() && !mesh.brush_.knows(face, look)) mesh.brush_.dip(look.material, mesh.colors_of(look.material));
   }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
@@ -85,6 +86,7 @@ template <bool kTaps, Paint kPaint>
 BandLines<kTaps, kPaint>::BandLines(const FrameStorage& storage)
     : screen_(storage.screen),
       vertices_(storage.bands.vertices, storage.bands.keys, storage.bands.buckets),
+      culled_(storage.mesh.walker.points),
       drawn_(storage.bands.drawn),
       colors_(storage.bands.colors),
       smooth_(storage.smooth, storage.screen.format),
@@ -111,8 +113,7 @@ Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
       return beyond_view(at.index());
     }
   }
-  line_ = top;
-  plan(top);
+  begin_lines(top);
   changes.geometry_kept();
   ready_ = true;
   return {};
@@ -136,57 +137,88 @@ Status BandLines<kTaps, kPaint>::check() const {
   return check_meshes(scene_);
 }
 
-// Forgets the frame before.
+// Forgets the frame before. What may lie over points that are culled is that until begin_lines().
 template <bool kTaps, Paint kPaint>
 void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
-  colors_.clear();
-  smooth_.clear();
-  if (smooth()) {
-    looks_.clear();
-    brush_ = BandBrush(looks_.looks(), {looks_.heads()});
-  }
   lights_.forget();
   at_hand_ = {};
   new (&points_) InstancePoints(scene_.scene(), camera_, screen_);
   rows_.begin(scene_.scene(), camera_, screen_, 0);
   drawn_.clear(scene_.face_count());
   vertices_.begin(scene_.vertex_count(), top, screen_.height);
-  walker_.begin();
-  smooth() ? walker_.paint_with(nullptr, &brush_) : walker_.paint_with(nullptr, &colors_);
   bands_ = 0;
 }
 
+template <bool kTaps, Paint kPaint>
+void BandLines<kTaps, kPaint>::begin_lines(std::uint16_t top) {
+  colors_.clear();
+  smooth_.clear();
+  if (smooth()) {
+    looks_.clear();
+    brush_ = BandBrush(looks_.looks(), {looks_.heads()});
+  }
+  walker_.begin();
+  smooth() ? walker_.paint_with(nullptr, &brush_) : walker_.paint_with(nullptr, &colors_);
+  line_ = top;
+  plan(top);
+}
+
 // Notes the faces of an instance that are seen from their fronts, and their vertices. False where a vertex lies out of
-// the view, or fronts have become backs. Vertices met lately are kept where those of bands will be.
+// the view, or fronts have become backs.
 template <bool kTaps, Paint kPaint>
 bool BandLines<kTaps, kPaint>::cull(const InstanceCursor& at) {
   bool surely;
   if (!points_.enter(at, rows_, surely)) return false;
-  const std::uint32_t first = at.first_vertex();
+  return at.mesh().positions.size() <= culled_.capacity() ? cull_placed(surely) : cull_by_places(surely);
+}
+
+template <bool kTaps, Paint kPaint>
+bool BandLines<kTaps, kPaint>::cull_placed(bool surely) {
+  if (!surely && !points_.all_inside()) return false;
+  ScreenXY* const points = culled_.sink() + 1;
+  points_.place_all(points);
+  cull_by([points](std::uint32_t vertex) { return points[vertex]; });
+  return true;
+}
+
+// Where there is no room for the mesh's vertices those met lately are kept where the bands' will be.
+template <bool kTaps, Paint kPaint>
+bool BandLines<kTaps, kPaint>::cull_by_places(bool surely) {
+  vertices_.forget_places();
   bool inside = true;
   const auto project = [&](std::uint32_t vertex, BandVertex & kept) __attribute__((noinline)) {
     // What lies behind the viewer has no place, and the answer is no.
     const bool seen = surely || !points_.outside(vertex);
     inside = inside && seen;
     kept.at = seen ? points_[vertex] : ScreenXY{};
-    kept.vertex = static_cast<std::uint16_t>(1 + first + vertex);
+    kept.vertex = static_cast<std::uint16_t>(1 + vertex);
   };
-  const auto place = [&](std::uint32_t vertex) __attribute__((always_inline)) {
-    BandVertex& kept = vertices_.place(first + vertex);
-    if (kept.vertex != 1 + first + vertex) [[unlikely]]
+  cull_by([&](std::uint32_t vertex) __attribute__((always_inline)) {
+    BandVertex& kept = vertices_.place(vertex);
+    if (kept.vertex != 1 + vertex) [[unlikely]]
       project(vertex, kept);
     return kept.at;
-  };
-  const std::uint16_t* corner = at.mesh().corners.data();
-  for (std::uint32_t face = at.first_face(), end = face + at.mesh().face_count; face != end; ++face, corner += 3) {
-    const ScreenXY a = place(corner[0]), b = place(corner[1]), c = place(corner[2]);
-    if (!is_front(a, b, c)) continue;
-    drawn_.put(face);
-    vertices_.wait(first + corner[0], a);
-    vertices_.wait(first + corner[1], b);
-    vertices_.wait(first + corner[2], c);
-  }
+  });
   return inside;
+}
+
+// place(vertex) is where a vertex of the mesh lies.
+template <bool kTaps, Paint kPaint>
+template <typename Place>
+void BandLines<kTaps, kPaint>::cull_by(const Place& place) {
+  const MeshRecord& mesh = points_.mesh();
+  const BandVertices::Mesh vertices(vertices_, points_.first_vertex());
+  BitPool drawn = drawn_;
+  const std::uint16_t* corner = mesh.corners.data();
+  for (std::uint32_t face = points_.first_face(), end = face + mesh.face_count; face != end; ++face, corner += 3) {
+    const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
+    if (doubled_area_near(PackedXY(place(a)), PackedXY(place(b)), PackedXY(place(c))) >= 0) continue;
+    drawn.put(face);
+    vertices.mark(a);
+    vertices.mark(b);
+    vertices.mark(c);
+  }
+  vertices.wait(mesh.positions.size(), place);
 }
 
 // Files the vertices of the longest band from `top` on that they fit.
@@ -205,49 +237,68 @@ void BandLines<kTaps, kPaint>::plan(std::uint16_t top) {
 template <bool kTaps, Paint kPaint>
 bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
   if (!crowded_ && vertices_.is_empty(line)) return true;
-  return walker_.start_fed<true>([&](const auto& add) {
-    if (!crowded_) {
-      while (!vertices_.is_empty(line)) {
-        const BandVertex& next = vertices_.pop(line);
-        feed(next.vertex - 1u, FromVertex(PackedXY(next.at), line), add);
-      }
-      return;
-    }
+  BandStart start;
+  start.line = line;
+  walker_.begin_start(start);
+  if (!crowded_) {
+    if (!start_fans(start, vertices_.first_of(line))) return false;
+  } else {
     const std::uint32_t end = vertices_.count();
     for (std::uint32_t vertex = vertices_.first(); (vertex = vertices_.next_to_reach(vertex, line)) != end; ++vertex) {
       const ScreenXY at = project(vertex);
       if (vertices_.first_line(at) != line) continue;
       vertices_.reach(vertex);
-      feed(vertex, FromVertex(PackedXY(at), line), add);
+      if (!start_fans(start, vertices_.alone(vertex, at))) return false;
     }
-  });
+  }
+  walker_.end_start(start);
+  return true;
 }
 
-// The edges that run down from a vertex that the lines have come to. Those that run up come from vertices that do not
-// wait any more.
+// Starts the edges that run down from a vertex that the lines have come to, and from those after it; false where there
+// is no room. Those that run up come from vertices that do not wait any more.
 template <bool kTaps, Paint kPaint>
-template <typename Add>
-void BandLines<kTaps, kPaint>::feed(std::uint32_t vertex, const FromVertex& from, const Add& add) {
-  points_.to_vertex(vertex);
-  const MeshRecord& mesh = points_.mesh();
-  const std::uint32_t first = points_.first_vertex(), first_face = points_.first_face();
-  const std::uint16_t* const start = mesh.fan_starts.data() + (vertex - first);
-  const FanEdge* edge = mesh.fans.data() + start[0];
-  const auto shown = [&](std::uint16_t face) {
-    const bool drawn = face != FanEdge::kNone && drawn_.has(first_face + face);
-    return static_cast<FaceId>(drawn ? first_face + face + 1 : 0);
-  };
-  const FanEdge* const end = mesh.fans.data() + start[1];
-  for (std::uint16_t twin = end[-1].face; edge != end; twin = edge->face, ++edge) {
-    const std::uint32_t to = edge->to;
-    if (!vertices_.known(first + to)) continue;
-    const BandVertex* const kept = vertices_.find(first + to);
-    if (kept != nullptr && kept->reached()) continue;
-    const PackedXY bottom(kept != nullptr ? kept->at : points_[to]);
-    if (from.has_ended(bottom)) continue;
-    const FaceId begins = shown(edge->face), ends = shown(twin);
-    if ((begins | ends) != 0) add(from, bottom, begins, ends);
-  }
+bool BandLines<kTaps, kPaint>::start_fans(BandStart& start, std::uint32_t first) {
+  start.band = vertices_.band();
+  start.vertex = first;
+  do {
+    points_.to_vertex(start.band[start.vertex].vertex - 1u);
+    const MeshRecord& mesh = points_.mesh();
+    const std::uint32_t first_face = points_.first_face();
+    start.keys = vertices_.keys(points_.first_vertex());
+    start.drawn = drawn_.word(first_face);
+    start.skip = first_face % 32;
+    start.cover = cover_of(static_cast<FaceId>(first_face - start.skip + 1));
+    start.first = points_.first_vertex() + 1;
+    start.count = mesh.positions.size();
+    start.starts = mesh.fan_starts.data();
+    start.fans = mesh.fans.data();
+    start.points = &points_.points();
+    if (start.most() > start.room()) [[unlikely]] {
+      walker_.make_room(start);
+      if (start.most() > start.room()) {
+        if (!start_crowded(start)) return false;
+        continue;
+      }
+    }
+    start_band_fans(start);
+  } while (start.vertex != 0);
+  return true;
+}
+
+// Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
+template <bool kTaps, Paint kPaint>
+bool BandLines<kTaps, kPaint>::start_crowded(BandStart& start) {
+  std::uintptr_t needed = 0;
+  start.each_to_start([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
+  if (needed > start.room()) return false;
+  const BandVertex vertex = start.band[start.vertex];
+  const std::uintptr_t last = std::exchange(start.last, UINTPTR_MAX);
+  start.vertex = vertices_.alone(vertex.vertex - 1u, vertex.at);
+  start_band_fans(start);
+  start.last = last;
+  start.vertex = vertex.next;
+  return true;
 }
 
 template <bool kTaps, Paint kPaint>
@@ -284,14 +335,18 @@ void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
   const std::uint16_t number = material_of(points_.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   const LightRig& rig = lights();
-  const bool quick = material.shading != MaterialRecord::kUnlit && rig.quick() && !mesh.face_normals.empty() &&
-                     screen_.format == PixelFormat::rgb565;
+  const bool smooth_ones = smooth() && material.shading == MaterialRecord::kGouraud;
+  const bool quick = smooth_ones ? rig.single()
+                                 : material.shading != MaterialRecord::kUnlit && rig.quick() &&
+                                       !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
   at_hand_ = {before,
               before + group->first_face,
               group->face_count,
               number,
               &material,
-              quick ? mesh.face_normals.data() - before : nullptr,
+              !quick        ? nullptr
+              : smooth_ones ? mesh.vertex_normals.data()
+                            : mesh.face_normals.data() - before,
               quick ? rig.one() : LightRig::One{}};
 }
 
@@ -316,31 +371,42 @@ void BandLines<kTaps, kPaint>::learn_color(FaceId face) {
 }
 
 template <bool kTaps, Paint kPaint>
-FaceLook BandLines<kTaps, kPaint>::look_of(FaceId face) {
+void BandLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
   bring_to_hand(face);
-  const std::uint16_t material = at_hand_.material;
-  if (at_hand_.look->shading != MaterialRecord::kGouraud) return FaceLook::flat(flat_color(face));
+  if (at_hand_.look->shading != MaterialRecord::kGouraud) {
+    look = FaceLook::flat(flat_color(face));
+    return;
+  }
   points_.to_face(face - 1u);
-  const LightRig& rig = lights();
-  const std::uint16_t* const corner = points_.mesh().corners.data() + 3 * (face - at_hand_.before);
+  const MeshRecord& mesh = points_.mesh();
+  const auto brightness = [&](std::uint32_t vertex) {
+    return at_hand_.normals != nullptr ? LightRig::brightness(at_hand_.one.sum(at_hand_.normals[vertex]))
+                                       : lights().brightness(mesh.vertex_normals[vertex], false);
+  };
+  const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - at_hand_.before);
   ScreenXY at[3];
   Brightness level[3];
   for (unsigned i = 0; i < 3; ++i) {
-    const Normal10& normal = points_.mesh().vertex_normals[corner[i]];
-    if (BandVertex* const kept = vertices_.find(points_.first_vertex() + corner[i]); kept != nullptr) {
-      if (kept->level == BandVertex::kNoLevel) kept->level = rig.brightness(normal, false);
+    const std::uint32_t vertex = corner[i];
+    if (BandVertex* const kept = vertices_.find(points_.first_vertex() + vertex); kept != nullptr) {
+      if (kept->level == BandVertex::kNoLevel) kept->level = brightness(vertex);
       at[i] = kept->at;
       level[i] = kept->level;
     } else {
-      at[i] = points_[corner[i]];
-      level[i] = rig.brightness(normal, false);
+      at[i] = place_vertex(points_.points(), vertex).unpacked();
+      level[i] = brightness(vertex);
     }
   }
+  const std::uint16_t material = at_hand_.material;
   const BrightnessPlane plane = brightness_plane(at, level);
-  if ((plane.right | plane.down) != 0) return {plane, 0, material};
+  if ((plane.right | plane.down) != 0) {
+    look.plane = plane;
+    look.material = material;
+    return;
+  }
   const std::uint16_t* const colors = colors_of(material);
   brush_.dip(material, colors);
-  return FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
+  look = FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
 }
 
 template <bool kTaps, Paint kPaint>

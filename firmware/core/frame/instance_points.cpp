@@ -5,8 +5,8 @@ namespace spanline {
 ClipMatrix InstancePoints::enter() {
   const MeshRecord& mesh = cursor_.mesh();
   const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);
-  to_clip_ = ClipRows(matrix);
-  positions_ = mesh.positions.data();
+  points_.to_clip = ClipRows(matrix);
+  points_.positions = mesh.positions.data();
   faces_ = mesh.face_count;
   vertices_ = mesh.positions.size();
   return matrix;
@@ -17,7 +17,7 @@ bool InstancePoints::enter(const InstanceCursor& at, DepthRows& rows, bool& sure
   const ClipMatrix matrix = enter();
   if (matrix.mirrored || !matrix.fits()) return false;
   rows.hold(matrix);
-  surely = projection_.well_inside(mesh().box, to_clip_);
+  surely = points_.projection.well_inside(mesh().box, points_.to_clip);
   return true;
 }
 

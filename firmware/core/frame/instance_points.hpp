@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/frame/depth_rows.hpp"
-#include "core/geom/projection.hpp"
+#include "core/geom/mesh_points.hpp"
 #include "core/scene/instance_cursor.hpp"
 
 namespace spanline {
@@ -13,7 +13,7 @@ class InstancePoints {
   InstancePoints() = default;
   // The camera must stay where it is.
   InstancePoints(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen)
-      : cursor_(scene), camera_(&camera), projection_(camera, screen) {}
+      : cursor_(scene), camera_(&camera), points_(camera, screen) {}
 
   // Goes to the instance at a cursor, whose matrix `rows` hold. False where it cannot be drawn: fronts become backs, or
   // positions do not fit. `surely`: no vertex is outside().
@@ -38,20 +38,22 @@ class InstancePoints {
   std::uint32_t first_vertex() const { return cursor_.first_vertex(); }
 
   // By its number in the mesh: whether a vertex is not well inside the view; where it lies on the screen.
-  bool outside(std::uint32_t vertex) const { return !projection_.well_inside(clip(vertex)); }
-  ScreenXY operator[](std::uint32_t vertex) { return projection_.place(clip(vertex), normaliser_); }
+  bool outside(std::uint32_t vertex) const {
+    return !points_.projection.well_inside(points_.to_clip(points_.positions[vertex]));
+  }
+  ScreenXY operator[](std::uint32_t vertex) { return points_[vertex]; }
+  MeshPoints& points() { return points_; }
+  // Of all the vertices of the mesh: whether none is outside(); where they lie, one after another.
+  bool all_inside() const { return points_.projection.well_inside(mesh().positions, points_.to_clip); }
+  void place_all(ScreenXY* at) const { points_.projection.place(mesh().positions, points_.to_clip, at); }
 
  private:
   ClipMatrix enter();
-  ClipPoint clip(std::uint32_t vertex) const { return to_clip_(positions_[vertex]); }
 
   InstanceCursor cursor_;
   const CameraRecord* camera_ = nullptr;
-  Projection projection_{CameraRecord{}, Screen{}};
-  Normaliser normaliser_;
-  const Position* positions_ = nullptr;
+  MeshPoints points_;
   std::uint32_t faces_ = 0, vertices_ = 0;
-  ClipRows to_clip_;
 };
 
 }  // namespace spanline

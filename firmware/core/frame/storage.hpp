@@ -33,7 +33,9 @@ struct MeshStorage {
   PoolRef<Brightness> levels;    // of vertices, where Gouraud's materials are drawn as such
 };
 
-// What it uses where only a band's vertices are kept, instead of a place for each face and vertex.
+// What it uses where only a band's vertices are kept, instead of a place for each face and vertex. EdgeStorage::points
+// are then those of a mesh whose faces are culled, if they fit; all but the first two of these, the walker's other
+// pools and the looks may lie over them.
 struct BandStorage {
   PoolRef<std::uint32_t> drawn;   // a bit a face
   PoolRef<std::uint8_t> keys;     // a byte a vertex
@@ -61,6 +63,12 @@ struct FrameStorage {
   BandStorage bands = {};
 };
 
+// How many looks a budget keeps.
+constexpr std::uint16_t looks_of(const Budget& budget) {
+  if (budget.looks != 0) return budget.looks;
+  return budget.walker == Walker::segments ? 15 : 127;
+}
+
 // The pools of smooth triangles, where there are any.
 template <std::uint16_t kLooks, std::uint16_t kTables, bool kSmooth>
 class SmoothPools {
@@ -75,6 +83,16 @@ template <std::uint16_t kLooks, std::uint16_t kTables>
 class SmoothPools<kLooks, kTables, false> {
  public:
   SmoothStorage storage() { return {}; }
+};
+
+// Where the looks are pools of somebody else.
+template <std::uint16_t kTables>
+class SmoothPools<0, kTables, true> {
+ public:
+  SmoothStorage storage() { return {{}, tables_.ref()}; }
+
+ private:
+  Pool<ColorTable, kTables> tables_;
 };
 
 template <Budget kBudget>
@@ -216,29 +234,46 @@ class MeshPools {
   [[no_unique_address]] std::conditional_t<kBudget.patch_grid != 0, Pool<GridVertex, kBudget.patch_grid>, NoGrid> grid_;
 };
 
-// Likewise where only a band's vertices are kept.
+// Likewise where only a band's vertices are kept. What is made for a line is not there yet while faces are culled, and
+// the vertices of a mesh are in its place.
 template <Budget kBudget>
 class BandPools {
  public:
   void add_to(FrameStorage& storage) {
-    storage.mesh.walker.edges[0] = edges_.ref();
-    storage.mesh.walker.planes = planes_.ref();
-    storage.mesh.walker.reaches = reaches_.ref();
-    storage.bands = {drawn_.ref(),  keys_.ref(),  vertices_.ref(), buckets_.ref(),
-                     colors_.ref(), heads_.ref(), links_.ref()};
+    LinePools& of = shared_.of_lines;
+    storage.mesh.walker.points = {shared_.points, kPoints};
+    storage.mesh.walker.edges[0] = of.edges.ref();
+    storage.mesh.walker.planes = of.planes.ref();
+    storage.mesh.walker.reaches = of.reaches.ref();
+    storage.bands = {drawn_.ref(),    keys_.ref(),    of.vertices.ref(), of.buckets.ref(),
+                     of.colors.ref(), of.heads.ref(), of.links.ref()};
+    if constexpr (kBudget.gouraud) storage.smooth.looks = of.looks.ref();
   }
 
  private:
+  struct NoLooks {};
+  struct LinePools {
+    Pool<BandVertex, kBudget.band_vertices> vertices;
+    Pool<std::uint8_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets;
+    Pool<ActiveEdge, kBudget.edges> edges;
+    Pool<CachedPlane, kBudget.planes> planes;
+    Pool<DepthReach, PlaneCache::reaches_for(kBudget.planes)> reaches;
+    Pool<FaceColor, kBudget.gouraud ? 0 : looks_of(kBudget)> colors;
+    Pool<std::uint8_t, kBudget.gouraud ? LookChains::heads_for(kBudget.facets) - 1 : 0> heads;
+    Pool<std::uint8_t, kBudget.gouraud ? looks_of(kBudget) : 0> links;
+    [[no_unique_address]] std::conditional_t<kBudget.gouraud, Pool<FaceLook, looks_of(kBudget)>, NoLooks> looks;
+  };
+  static constexpr std::size_t kRoom = sizeof(LinePools) / sizeof(ScreenXY) - 1;
+  static constexpr std::uint16_t kPoints = kRoom < kBudget.vertices ? std::uint16_t{kRoom} : kBudget.vertices;
+  union Shared {
+    Shared() {}
+    LinePools of_lines;
+    ScreenXY points[kPoints + 1];
+  };
+
   Pool<std::uint32_t, BitPool::words_for(kBudget.facets)> drawn_;
   Pool<std::uint8_t, kBudget.vertices> keys_;
-  Pool<BandVertex, kBudget.band_vertices> vertices_;
-  Pool<std::uint8_t, kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines> buckets_;
-  Pool<ActiveEdge, kBudget.edges> edges_;
-  Pool<CachedPlane, kBudget.planes> planes_;
-  Pool<DepthReach, PlaneCache::reaches_for(kBudget.planes)> reaches_;
-  Pool<FaceColor, kBudget.gouraud ? 0 : kBudget.looks> colors_;
-  Pool<std::uint8_t, kBudget.gouraud ? LookChains::heads_for(kBudget.facets) - 1 : 0> heads_;
-  Pool<std::uint8_t, kBudget.gouraud ? kBudget.looks : 0> links_;
+  Shared shared_;
 };
 
 struct NoPools {
@@ -273,9 +308,7 @@ class FrameMemory {
       kBudget.walker == Walker::segments, NoPools,
       std::conditional_t<kBudget.band_vertices != 0, BandPools<kBudget>, MeshPools<kBudget>>>
       mesh_;
-  static constexpr std::uint16_t kLooks = kBudget.looks != 0                   ? kBudget.looks
-                                          : kBudget.walker == Walker::segments ? 15
-                                                                               : 127;
+  static constexpr std::uint16_t kLooks = kBudget.band_vertices != 0 ? std::uint16_t{0} : looks_of(kBudget);
   [[no_unique_address]] SmoothPools<kLooks, kBudget.tables, kBudget.gouraud> smooth_;
   [[no_unique_address]] std::conditional_t<kBudget.strands == 0, NoCurves, CurvePools<kBudget>> curves_;
   [[no_unique_address]] PointPools<std::uint32_t{kBudget.point_lines} * kBudget.width> points_;

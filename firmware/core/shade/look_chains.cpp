@@ -4,6 +4,7 @@ namespace spanline {
 
 void LookChains::clear() {
   for (std::uint32_t i = 0; i <= last_head_; ++i) heads_[i] = 0;
+  for (std::uint32_t i = 0; i <= last_look_; ++i) looks_[i].face = 0;
   looks_[0].material = FaceLook::kUnknown;
   oldest_ = 0;
 }

@@ -33,7 +33,8 @@ class LookChains {
 
   // At the beginning of a frame, after SmoothCache::clear(): none is known.
   void clear();
-  // The face's look, now its chain's head; make(face) where it is not here. Valid until the next call.
+  // The face's look, now its chain's head; make(FaceLook&) makes all but its face where
+  // it is not here. Valid until the next call.
   template <typename Make>
   const FaceLook& look(FaceId face, const Make& make) {
     std::uint8_t* const head = &heads_[head_of(face)];
@@ -44,7 +45,7 @@ class LookChains {
       *link = links_[at];
     } else {
       at = give_way();
-      looks_[at] = make(face);
+      make(looks_[at]);
       looks_[at].face = face;
     }
     links_[at] = *head;

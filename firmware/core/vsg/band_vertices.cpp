@@ -6,7 +6,6 @@ void BandVertices::begin(std::uint32_t count, std::int32_t top, std::int32_t bot
   count_ = count;
   first_ = 0;
   for (std::uint32_t i = 1; i <= count; ++i) keys_[i] = 0;
-  for (std::uint32_t i = 0; i <= place_mask_; ++i) band_[i].vertex = 0;
   top_ = top;
   bottom_ = bottom;
   shift_ = 0;

@@ -10,11 +10,10 @@ namespace spanline {
 struct BandVertex {
   ScreenXY at;
   std::uint16_t vertex;  // 1 + its number in the scene; 0: none
-  std::uint8_t next;     // on the same line, not left of it; or kReached
+  std::uint8_t next;     // on the same line, not left of it
   std::uint8_t level;    // its brightness, or kNoLevel
 
-  static constexpr std::uint8_t kReached = 0xff, kNoLevel = 0xff;
-  bool reached() const { return next == kReached; }
+  static constexpr std::uint8_t kNoLevel = 0xff;
 };
 static_assert(sizeof(BandVertex) == 8);
 
@@ -29,24 +28,43 @@ class BandVertices {
   BandVertices(PoolRef<BandVertex> band, PoolRef<std::uint8_t> keys, PoolRef<std::uint8_t> buckets)
       : band_(band), keys_(keys), buckets_(buckets) {
     band_.limit(kMost);
-    place_mask_ = std::bit_floor(band_.capacity() + 1u) - 1u;
   }
   std::uint16_t capacity() const { return keys_.capacity(); }
 
   // Begins a frame of the lines [top, bottom): none of `count` vertices waits.
   void begin(std::uint32_t count, std::int32_t top, std::int32_t bottom);
-  // A vertex waits for its first line; again and again.
-  void wait(std::uint32_t vertex, ScreenXY at) {
-    std::uint8_t& key = keys_[vertex + 1];
-    if (key == 0) key = key_of(first_line(at));
-  }
+  // The vertices of one mesh, by their numbers in it.
+  class Mesh {
+   public:
+    // `first`: the mesh's first over the scene.
+    Mesh(const BandVertices& of, std::uint32_t first) : of_(of), keys_(&of.keys_[first + 1]) {}
+
+    // What is marked waits for its first line, once place(vertex) has told where it lies of each of the first `count`.
+    void mark(std::uint32_t vertex) const { keys_[vertex] = 1; }
+    template <typename Place>
+    void wait(std::uint32_t count, const Place& place) const {
+      const BandVertices of = of_;
+      std::uint8_t* const keys = keys_;
+      for (std::uint32_t vertex = 0; vertex != count; ++vertex) {
+        if (keys[vertex] != 0) keys[vertex] = of.key_of(of.first_line(place(vertex)));
+      }
+    }
+
+   private:
+    const BandVertices& of_;
+    std::uint8_t* keys_;
+  };
   // The line that reaches it: those above the frame are its first line's.
   std::int32_t first_line(ScreenXY at) const {
     const std::int32_t line = first_centre(at.y);
     return line > top_ ? line : top_;
   }
-  // Until begin_band(): where a vertex may be kept meanwhile, by the name in it. None is at first.
-  BandVertex& place(std::uint32_t vertex) { return band_[vertex & place_mask_]; }
+
+  // Until begin_band(): where a vertex may be kept meanwhile, by the name in it; none is once they are forgotten.
+  BandVertex& place(std::uint32_t vertex) { return band_[vertex & (std::bit_floor(band_.capacity() + 1u) - 1)]; }
+  void forget_places() {
+    for (std::uint32_t i = 0; i <= band_.capacity(); ++i) band_[i].vertex = 0;
+  }
 
   std::uint32_t first() const { return first_; }
   std::uint32_t count() const { return count_; }
@@ -58,21 +76,24 @@ class BandVertices {
   std::uint32_t next_to_file(std::uint32_t from) const;
   void file(std::uint32_t vertex, ScreenXY at);
 
-  // The vertices of a line of the band from left to right. What pop(line) gives has been reached.
-  bool is_empty(std::int32_t line) const { return buckets_[bucket(line)] == 0; }
-  const BandVertex& pop(std::int32_t line) {
-    std::uint8_t& first = buckets_[bucket(line)];
-    BandVertex& vertex = band_[first];
-    first = vertex.next;
-    vertex.next = BandVertex::kReached;
-    return vertex;
+  // The vertices of a line of the band from left to right: the place of the first; BandVertex::next tells the others'.
+  bool is_empty(std::int32_t line) const { return first_of(line) == 0; }
+  std::uint32_t first_of(std::int32_t line) const { return buckets_[bucket(line)]; }
+  const BandVertex* band() const { return band_.sink(); }
+  // A vertex that is not of the band, alone; its place.
+  std::uint32_t alone(std::uint32_t vertex, ScreenXY at) const {
+    band_[0] = {at, static_cast<std::uint16_t>(vertex + 1), 0, BandVertex::kNoLevel};
+    return 0;
   }
+  // What is known of the vertices from `first` on: 0 of those that do not wait, kFiled + the place of those of the
+  // band, between them about the first line.
+  const std::uint8_t* keys(std::uint32_t first) const { return &keys_[first + 1]; }
+  static constexpr std::uint8_t kFiled = 128;
+
   // Likewise the first that may be one of `line` and is not filed; it has been reached.
   std::uint32_t next_to_reach(std::uint32_t from, std::int32_t line) const { return next(from, key_of(line), 1); }
   void reach(std::uint32_t vertex) { keys_[vertex + 1] = 0; }
 
-  // Whether it waits, or is of the band, reached or not.
-  bool known(std::uint32_t vertex) const { return keys_[vertex + 1] != 0; }
   // A vertex of the band; null: it is none of it.
   BandVertex* find(std::uint32_t vertex) const {
     const std::uint8_t key = keys_[vertex + 1];
@@ -80,8 +101,7 @@ class BandVertices {
   }
 
  private:
-  // Keys: 0 of those that do not wait, kFiled + the place of those of the band, between them about the first line.
-  static constexpr std::uint8_t kFiled = 128, kBelow = 127;
+  static constexpr std::uint8_t kBelow = kFiled - 1;
 
   std::uint8_t key_of(std::int32_t line) const {
     return line < bottom_ ? static_cast<std::uint8_t>(1 + ((line - top_) >> shift_)) : kBelow;
@@ -98,7 +118,6 @@ class BandVertices {
 
   PoolRef<BandVertex> band_;
   PoolRef<std::uint8_t> keys_, buckets_;
-  std::uint32_t place_mask_ = 0;
   std::uint32_t count_ = 0;              // of vertices
   std::uint32_t first_ = 0;              // vertices before it have been reached, or never will be
   std::int32_t top_ = 0, bottom_ = 0;    // of the frame

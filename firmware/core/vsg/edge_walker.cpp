@@ -31,10 +31,23 @@ void EdgeWalker::enter(std::uint32_t vertex) {
   fans_.fans = mesh.fans.data();
 }
 
-void EdgeWalker::end_start(const Started& started) {
-  const auto needed = static_cast<std::uint32_t>(started.out - walk_.now);
+void EdgeWalker::begin_start(BandStart& start) {
+  start.begin = start.out = walk_.alive_end + 1;
+  start.last = reinterpret_cast<std::uintptr_t>(pool_ + capacity_);
+  walk_.alive_end->x = INT32_MIN;
+}
+
+void EdgeWalker::end_start(ActiveEdge* first, ActiveEdge* out) {
+  const auto needed = static_cast<std::uint32_t>(out - walk_.now);
   if (needed > most_) most_ = needed;
-  started.first[-1].x = started.out->x = ActiveEdge::kNever;
+  first[-1].x = out->x = ActiveEdge::kNever;
+}
+
+void EdgeWalker::make_room(BandStart& start) {
+  const std::ptrdiff_t down = walk_.now - pool_;
+  move_edges(pool_, start.out);
+  start.begin -= down;
+  start.out -= down;
 }
 
 // Moves the line's edges, those alive and those that begin, up to `end`.
@@ -176,7 +189,7 @@ bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
       return false;
     }
   }
-  end_start({fans.begin, fans.out});
+  end_start(fans.begin, fans.out);
   return true;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/scene/instance_cursor.hpp"
-#include "core/vsg/fan_start.hpp"
+#include "core/vsg/band_start.hpp"
 #include "core/vsg/overlap.hpp"
 #include "core/vsg/plane_cache.hpp"
 #include "core/vsg/vertex_buckets.hpp"
@@ -82,23 +82,24 @@ class EdgeWalker {
     return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
   }
 
-  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() with those that
-  // feed(add) hands to add(FromVertex, bottom, begins, ends), the faces to the right and to the left of an edge that
-  // runs down and has not ended before the line; not both 0.
+  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() by start(first, last),
+  // which puts those that begin to `first` in order, none of them to `last`, and returns their end, or null where there
+  // is no room for one. first[-1].x is INT32_MIN.
   void begin();
-  template <bool kInPlace = false, typename Feed>
-  bool start_fed(const Feed& feed);
-  // The same by start(first, last), which puts them to `first` in order, none of them to `last`, and returns their end,
-  // or null where there is no room for one. first[-1].x is INT32_MIN.
   template <typename Start>
   bool start_by(const Start& start);
+  // Or in place, by start_band_fans() between these two.
+  void begin_start(BandStart& start);
+  void end_start(const BandStart& start) { end_start(start.begin, start.out); }
+  // Makes more room for them.
+  void make_room(BandStart& start);
   // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
   // face that is nearer than every other one wherever both are, or 0 where that takes planes; plane.nearer(FaceId,
   // FaceId, PlaneCache&) likewise of two.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   // In place the next line's edges overwrite those that the walk has passed. Leaves room before those, so that none is
-  // overwritten too soon; to be said between start_fed() and walk(). False where there is too little.
+  // overwritten too soon; to be said between end_start() and walk(). False where there is too little.
   bool make_way();
   // Begins a tall edge again on `line`, by the corners of face_of_tall(edge) in the mesh's order; false where it has
   // ended.
@@ -116,23 +117,7 @@ class EdgeWalker {
  private:
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
 
-  // The edges that begin on a line, up to `out`.
-  struct Started {
-    ActiveEdge* first;
-    ActiveEdge* out = first;
-    std::int32_t furthest = INT32_MIN;  // x of the last edge put out
-
-    // Puts *out out. They come nearly in order.
-    void put_out() {
-      if (out->x < furthest) [[unlikely]] {
-        insert_back(first, out, ActiveEdge{*out});
-      } else {
-        furthest = out->x;
-      }
-      ++out;
-    }
-  };
-  void end_start(const Started& started);
+  void end_start(ActiveEdge* first, ActiveEdge* out);
   [[gnu::noinline]] void move_edges(ActiveEdge* to, ActiveEdge* end);
   bool has_long_column() const;
 
@@ -168,37 +153,13 @@ class EdgeWalker {
   std::uint32_t most_ = 0;
   InstanceCursor cursor_;
 };
-template <bool kInPlace, typename Feed>
-bool EdgeWalker::start_fed(const Feed& feed) {
-  Started started{walk_.alive_end + 1};
-  const ActiveEdge* const last = (kInPlace ? pool_ : walk_.now) + capacity_;  // for the sentinel
-  bool room = true;
-  feed([&](const FromVertex& from, PackedXY bottom, FaceId begins, FaceId ends) {
-    if constexpr (kInPlace) {
-      if (started.out == last && walk_.now != pool_) {
-        const std::ptrdiff_t down = walk_.now - pool_;
-        move_edges(pool_, started.out);
-        started.first -= down;
-        started.out -= down;
-      }
-    }
-    room = room && started.out < last;
-    if (!room) return;
-    started.out->toggle = cover_of(begins) - cover_of(ends);
-    from.run(*started.out, bottom, ends);
-    started.put_out();
-  });
-  if (room) end_start(started);
-  return room;
-}
-
 template <typename Start>
 bool EdgeWalker::start_by(const Start& start) {
   ActiveEdge* const first = walk_.alive_end + 1;
   walk_.alive_end->x = INT32_MIN;
   ActiveEdge* const out = start(first, walk_.now + capacity_);
   if (out == nullptr) return false;
-  end_start({first, out});
+  end_start(first, out);
   return true;
 }
 

@@ -1,11 +1,11 @@
-// start_fans() in assembly, for cores with Thumb's 16-bit instructions alone (Armv6-M).
+// start_fans() and start_band_fans() in assembly, for cores with Thumb's 16-bit instructions alone (Armv6-M).
 #include "core/vsg/fan_start_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1
 
 namespace spanline {
 
-static_assert(fan_start_layout_holds<FanStart>());
+static_assert(fan_start_layout_holds<FanStart>() && band_start_layout_holds<BandStart>());
 
 asm(R"(
     .syntax unified
@@ -17,8 +17,52 @@ asm(R"(
 @ [sp] x of an edge that runs down from the vertex, the vertex, x of out[-1]; from 16 on FanStart from not_drawn to last;
 @ at 64 the FanStart.
 
-@ What face r4 covers, to r4; to `none` where that is nothing. Takes r5.
-    .macro covers none, upper, lower, load
+@ What each kind has of its own: the vertex after the one at hand, to r3; of the vertex r3 the fan r0 to lr and r5, and
+@ itself, to r4; the lower end of the edge r0, to r3, which may take r4; what face r4 covers, to r4, and to `none` where
+@ that is nothing, which may take r5; that lower end once more.
+    .macro fan_of_r4
+    lsls r6, r4, #1
+    ldr r5, [sp, #32]               @ starts
+    adds r5, r5, r6
+    ldrh r0, [r5]
+    ldrh r5, [r5, #2]
+    lsls r0, r0, #2
+    lsls r5, r5, #2
+    subs r6, r5, r0
+    lsls r6, r6, #2
+    adds r6, r6, r7
+    .endm
+    .macro fan_at_hand
+    ldr r6, [sp, #36]               @ fans
+    adds r0, r0, r6
+    adds r5, r5, r6
+    mov lr, r5
+    .endm
+    .macro next_words
+    ldr r4, [sp, #40]
+    lsls r3, r3, #1
+    ldrh r3, [r4, r3]
+    .endm
+    .macro vertex_words
+    ldr r4, [sp, #24]               @ first
+    subs r4, r3, r4
+    ldr r5, [sp, #28]               @ count
+    cmp r4, r5
+    bhs 70f
+    fan_of_r4
+    ldr r3, [sp, #44]               @ last
+    cmp r6, r3
+    bhi 70f
+    fan_at_hand
+    lsls r4, r4, #2
+    ldr r4, [r1, r4]
+    .endm
+    .macro point_words site
+    ldrh r3, [r0]
+    lsls r3, r3, #2
+    ldr r3, [r1, r3]
+    .endm
+    .macro covers_by none, upper, lower, load
     lsls r4, r4, #16
     bmi \none
     lsrs r4, r4, #\upper
@@ -32,8 +76,121 @@ asm(R"(
     ldr r5, [sp, #20]
     adds r4, r4, r5
     .endm
+    .macro covers_words none
+    covers_by \none, 15, 1, ldrh
+    .endm
+    .macro again_words
+    point_words
+    .endm
+    .macro far_words
+    .endm
 
-    .macro start_fans kind, upper, lower, load
+    .macro next_bytes
+    next_words
+    .endm
+    .macro vertex_bytes
+    vertex_words
+    .endm
+    .macro point_bytes site
+    point_words \site
+    .endm
+    .macro covers_bytes none
+    covers_by \none, 16, 0, ldrb
+    .endm
+    .macro again_bytes
+    point_words
+    .endm
+    .macro far_bytes
+    .endm
+
+@ In a band r1 are keys, r11 its vertices, r12 the bits of faces.
+    .macro next_band
+    lsls r3, r3, #3
+    add r3, r11
+    ldrb r3, [r3, #6]
+    cmp r3, #0
+    bne 1f
+    str r3, [sp, #4]
+    b 70f
+    .endm
+    .macro vertex_band
+    lsls r3, r3, #3
+    add r3, r11
+    ldrh r4, [r3, #4]
+    ldr r5, [sp, #24]               @ first
+    subs r4, r4, r5
+    ldr r5, [sp, #28]               @ count
+    cmp r4, r5
+    bhs 70f
+    fan_of_r4
+    ldr r4, [sp, #44]               @ last
+    cmp r6, r4
+    bhi 70f
+    fan_at_hand
+    ldr r4, [r3]
+    .endm
+    .macro point_band site
+    ldrh r3, [r0]
+    ldrb r4, [r1, r3]
+    subs r4, #128
+    bls 8\site\()f
+    lsls r4, r4, #3
+    add r4, r11
+    ldr r3, [r4]
+9\site:
+    .endm
+    .macro covers_band none
+    lsls r4, r4, #16
+    bmi \none
+    lsrs r4, r4, #16
+    ldr r5, [sp, #20]               @ skip
+    adds r4, r4, r5
+    lsrs r5, r4, #5
+    lsls r5, r5, #2
+    add r5, r12
+    ldr r5, [r5]
+    rors r5, r4
+    lsls r5, r5, #31
+    bpl \none
+    ldr r5, [sp, #40]               @ cover
+    adds r4, r4, r5
+    .endm
+    .macro again_band
+    mov r4, r10
+    subs r6, r6, r4
+    adds r6, r6, r2
+    add r3, r9
+    lsrs r3, r3, #16
+    lsls r6, r6, #16
+    orrs r3, r6
+    .endm
+    .macro far_site site
+8\site: mov r5, lr
+    bl 80f
+    mov lr, r5
+    b 9\site\()b
+    .endm
+    .macro far_band
+    far_site 1
+    far_site 2
+    far_site 3
+80: adds r4, #128
+    beq 81f
+    push {r0-r2, lr}
+    mov r4, r12
+    ldr r0, [sp, #80]
+    ldr r0, [r0, #56]
+    movs r1, r3
+    bl spanline_place_vertex
+    movs r3, r0
+    mov r12, r4
+    pop {r0-r2, pc}
+81: movs r3, #1                     @ above all lines
+    lsls r3, r3, #31
+    bx lr
+    .endm
+
+    .macro start_fans kind
     .section .text.spanline_start_fans_\kind, "ax", %progbits
     .p2align 2
     .global spanline_start_fans_\kind
@@ -71,34 +228,9 @@ spanline_start_fans_\kind:
     b 8f
 
 60: ldr r3, [sp, #4]
-    ldr r4, [sp, #40]
-    lsls r3, r3, #1
-    ldrh r3, [r4, r3]
+    next_\kind
 1:  str r3, [sp, #4]
-    ldr r4, [sp, #24]               @ first
-    subs r4, r3, r4
-    ldr r5, [sp, #28]               @ count
-    cmp r4, r5
-    bhs 70f
-    lsls r6, r4, #1
-    ldr r5, [sp, #32]               @ starts
-    adds r5, r5, r6
-    ldrh r0, [r5]
-    ldrh r5, [r5, #2]
-    lsls r0, r0, #2
-    lsls r5, r5, #2
-    subs r6, r5, r0
-    lsls r6, r6, #2
-    adds r6, r6, r7
-    ldr r3, [sp, #44]               @ last
-    cmp r6, r3
-    bhi 70f
-    ldr r6, [sp, #36]               @ fans
-    adds r0, r0, r6
-    adds r5, r5, r6
-    mov lr, r5
-    lsls r4, r4, #2
-    ldr r4, [r1, r4]
+    vertex_\kind
     lsls r6, r4, #16
     mov r9, r6
     ldr r3, 100f
@@ -107,9 +239,7 @@ spanline_start_fans_\kind:
     asrs r4, r4, #16
     subs r4, r2, r4
     mov r10, r4
-    ldrh r3, [r0]
-    lsls r3, r3, #2
-    ldr r3, [r1, r3]
+    point_\kind 1
     asrs r6, r3, #16
     subs r6, r6, r2
     ble 3f
@@ -133,20 +263,18 @@ spanline_start_fans_\kind:
 3:  adds r0, #4
     cmp r0, lr
     beq 60b
-    ldrh r3, [r0]
-    lsls r3, r3, #2
-    ldr r3, [r1, r3]
+    point_\kind 2
     asrs r6, r3, #16
     subs r6, r6, r2
     ble 3b
     subs r4, r0, #2                 @ to the face before
     ldrh r4, [r4]
-4:  covers 51b, \upper, \lower, \load
+4:  covers_\kind 51b
 9:  mov r8, r4
 
 @ Edges that do.
 5:  ldrh r4, [r0, #2]
-    covers 52b, \upper, \lower, \load
+    covers_\kind 52b
 8:  mov r5, r8
     mov r8, r4
     subs r4, r4, r5
@@ -192,19 +320,16 @@ spanline_start_fans_\kind:
 7:  adds r0, #4
     cmp r0, lr
     beq 61f
-    ldrh r3, [r0]
-    lsls r3, r3, #2
-    ldr r3, [r1, r3]
+    point_\kind 3
     asrs r6, r3, #16
     subs r6, r6, r2
     bgt 5b
     b 3b
 
 61: b 60b
+    far_\kind
 
-30: ldrh r3, [r0]
-    lsls r3, r3, #2
-    ldr r3, [r1, r3]
+30: again_\kind
     str r3, [r7]
     str r5, [r7, #12]
     mov r4, lr
@@ -247,8 +372,9 @@ spanline_start_fans_\kind:
     .size spanline_start_fans_\kind, . - spanline_start_fans_\kind
     .endm
 
-    start_fans words, 15, 1, ldrh
-    start_fans bytes, 16, 0, ldrb
+    start_fans words
+    start_fans bytes
+    start_fans band
     .text
 )");
 

@@ -1,11 +1,11 @@
-// start_fans() in assembly, for cores with Thumb-2.
+// start_fans() and start_band_fans() in assembly, for cores with Thumb-2.
 #include "core/vsg/fan_start_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
 
 namespace spanline {
 
-static_assert(fan_start_layout_holds<FanStart>());
+static_assert(fan_start_layout_holds<FanStart>() && band_start_layout_holds<BandStart>());
 
 asm(R"(
     .syntax unified
@@ -16,8 +16,36 @@ asm(R"(
 @ [sp] the fan's end, x of an edge that runs down from the vertex, the next vertex; from 16 on FanStart from not_drawn to
 @ last; at 48 the FanStart.
 
-@ What face r4 covers, to `to`; to `none` where that is nothing. Takes r3, r5 and lr.
-    .macro covers to, none, load:vararg
+@ What each kind has of its own: to the vertex r3, its fan r0 to r5, itself r9, the next r4; the lower end of the edge r0,
+@ which it steps beyond, to r7; what face r4 covers, to `to`, and to `none` where that is nothing, which may take r3, r5
+@ and lr; that lower end once more, to r3; on from a fan's end.
+    .macro fan_of_r4
+    ldrd r6, r7, [sp, #32]          @ starts, fans
+    add r6, r6, r4, lsl #1
+    ldrh r0, [r6]
+    ldrh r5, [r6, #2]
+    .endm
+    .macro vertex_words
+    ldrd r4, r5, [sp, #24]          @ first, count
+    subs r4, r3, r4
+    cmp r4, r5
+    bhs 70f
+    fan_of_r4
+    ldr r9, [r1, r4, lsl #2]
+    ldrd r4, r6, [sp, #40]          @ links, last
+    add r0, r7, r0, lsl #2
+    add r5, r7, r5, lsl #2
+    subs r7, r5, r0
+    add r7, r12, r7, lsl #2
+    cmp r7, r6
+    bhi 70f
+    ldrh r4, [r4, r3, lsl #1]
+    .endm
+    .macro point_words site
+    ldrh r3, [r0], #4
+    ldr r7, [r1, r3, lsl #2]
+    .endm
+    .macro covers_by to, none, load:vararg
     cmp r4, #0
     blt \none
     \load
@@ -26,8 +54,112 @@ asm(R"(
     beq \none
     add \to, r4, lr
     .endm
+    .macro covers_words to, none
+    covers_by \to, \none, ldrh r5, [r2, r4, lsl #1]
+    .endm
+    .macro again_words
+    ldrh r3, [r0, #-4]
+    ldr r3, [r1, r3, lsl #2]
+    .endm
+    .macro next_words
+    b 1b
+    .endm
+    .macro rest_words
+    .endm
 
-    .macro start_fans kind, load:vararg
+    .macro vertex_bytes
+    vertex_words
+    .endm
+    .macro point_bytes site
+    point_words \site
+    .endm
+    .macro covers_bytes to, none
+    covers_by \to, \none, ldrb r5, [r2, r4]
+    .endm
+    .macro again_bytes
+    again_words
+    .endm
+    .macro next_bytes
+    b 1b
+    .endm
+    .macro rest_bytes
+    .endm
+
+@ In a band r1 are keys, r2 its vertices.
+    .macro vertex_band
+    add lr, r2, r3, lsl #3
+    ldrd r5, r6, [sp, #24]          @ first, count
+    ldrh r4, [lr, #4]
+    subs r4, r4, r5
+    cmp r4, r6
+    bhs 70f
+    fan_of_r4
+    ldr r6, [sp, #44]               @ last
+    add r0, r7, r0, lsl #2
+    add r5, r7, r5, lsl #2
+    subs r7, r5, r0
+    add r7, r12, r7, lsl #2
+    cmp r7, r6
+    bhi 70f
+    ldr r9, [lr]
+    ldrb r4, [lr, #6]
+    .endm
+    .macro point_band site
+    ldrh r3, [r0], #4
+    ldrb r7, [r1, r3]
+    subs r7, #128
+    bls 8\site\()f
+    ldr r7, [r2, r7, lsl #3]
+9\site:
+    .endm
+    .macro far_band site
+8\site: bl 80f
+    .if \site == 3
+    ldr lr, [sp]
+    .endif
+    b 9\site\()b
+    .endm
+    .macro covers_band to, none
+    cmp r4, #0
+    blt \none
+    ldrd r3, lr, [sp, #16]          @ drawn, skip
+    add r4, lr
+    lsrs r5, r4, #5
+    ldr r3, [r3, r5, lsl #2]
+    rors r3, r4
+    lsls r3, #31
+    bpl \none
+    ldr lr, [sp, #40]               @ cover
+    add \to, r4, lr
+    .endm
+    .macro again_band
+    add r3, r9
+    add r6, r11
+    lsrs r3, #16
+    orr r3, r3, r6, lsl #16
+    .endm
+    .macro next_band
+    cmp r3, #0
+    bne 1b
+    .endm
+    .macro rest_band
+    far_band 1
+    far_band 2
+    far_band 3
+80: cmn r7, #128
+    beq 81f
+    push {r0-r3, r12, lr}
+    ldr r0, [sp, #72]
+    ldr r0, [r0, #56]
+    mov r1, r3
+    bl spanline_place_vertex
+    mov r7, r0
+    pop {r0-r3, r12, pc}
+81: mov r7, #1 << 31                @ above all lines
+    bx lr
+    .endm
+
+    .macro start_fans kind
     .section .text.spanline_start_fans_\kind, "ax", %progbits
     .p2align 2
     .global spanline_start_fans_\kind
@@ -43,31 +175,14 @@ spanline_start_fans_\kind:
     lsl r11, r11, #4
     add r11, #8
 
-1:  ldrd r4, r5, [sp, #24]          @ first, count
-    ldrd r6, r7, [sp, #32]          @ starts, fans
-    subs r4, r3, r4
-    cmp r4, r5
-    bhs 70f
-    add r6, r6, r4, lsl #1
-    ldrh r0, [r6]
-    ldrh r5, [r6, #2]
-    ldr r9, [r1, r4, lsl #2]
-    ldrd r4, r6, [sp, #40]          @ links, last
-    add r0, r7, r0, lsl #2
-    add r5, r7, r5, lsl #2
-    subs r7, r5, r0
-    add r7, r12, r7, lsl #2
-    cmp r7, r6
-    bhi 70f
-    ldrh r4, [r4, r3, lsl #1]
+1:  vertex_\kind
     sub r10, r11, r9, asr #16
     lsl r9, r9, #16
     add r7, r9, #1 << 19
     subs r7, #1
     strd r5, r7, [sp]
     str r4, [sp, #8]
-    ldrh r3, [r0], #4
-    ldr r7, [r1, r3, lsl #2]
+    point_\kind 1
     rsbs r6, r11, r7, asr #16
     ble 3f
     ldrsh r4, [r5, #-2]
@@ -77,16 +192,15 @@ spanline_start_fans_\kind:
 2:  mov r5, lr
 3:  cmp r0, r5
     beq 60f
-    ldrh r3, [r0], #4
-    ldr r7, [r1, r3, lsl #2]
+    point_\kind 2
     rsbs r6, r11, r7, asr #16
     ble 3b
     ldrsh r4, [r0, #-6]
-4:  covers r8, 51f, \load
+4:  covers_\kind r8, 51f
 
 @ Edges that do.
 5:  ldrsh r4, [r0, #-2]
-    covers r4, 52f, \load
+    covers_\kind r4, 52f
 8:  subs r5, r4, r8
     beq 50f
     uxth lr, r8
@@ -112,14 +226,13 @@ spanline_start_fans_\kind:
     stm r12!, {r3-r6}
 7:  cmp r0, lr
     beq 60f
-    ldrh r3, [r0], #4
-    ldr r7, [r1, r3, lsl #2]
+    point_\kind 3
     rsbs r6, r11, r7, asr #16
     bgt 5b
     b 2b
 
 60: ldr r3, [sp, #8]
-    b 1b
+    next_\kind
 
 70: ldr r4, [sp, #48]
     str r3, [r4, #8]
@@ -134,8 +247,7 @@ spanline_start_fans_\kind:
 50: ldr lr, [sp]                    @ covers nothing on either side
     b 7b
 
-30: ldrh r3, [r0, #-4]
-    ldr r3, [r1, r3, lsl #2]
+30: again_\kind
     str r3, [r12]
     strd r5, lr, [r12, #8]
     push {r0-r2, r12}
@@ -160,11 +272,13 @@ spanline_start_fans_\kind:
     add r12, #16
     ldr lr, [sp]
     b 7b
+    rest_\kind
     .size spanline_start_fans_\kind, . - spanline_start_fans_\kind
     .endm
 
-    start_fans words, ldrh r5, [r2, r4, lsl #1]
-    start_fans bytes, ldrb r5, [r2, r4]
+    start_fans words
+    start_fans bytes
+    start_fans band
     .text
 )");
 
