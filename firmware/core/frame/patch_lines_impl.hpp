@@ -225,12 +225,10 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) 
   }
 }
 
-// Starts the edges that begin on the line; false where there is no room for one.
+// Starts the edges that begin on the line, from a list of its vertices; false where there is no room for one.
 template <bool kTaps, Paint kPaint>
-bool PatchLines<kTaps, kPaint>::start_edges(std::uint16_t line) {
-  return walker_.start_by([this, line](ActiveEdge* first, const ActiveEdge* last) {
-    std::uint16_t vertex = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
-    if (line != top_) vertex = grids_.sorted(vertex);
+bool PatchLines<kTaps, kPaint>::start_edges(std::uint16_t line, std::uint16_t vertex) {
+  return walker_.start_by([this, line, vertex](ActiveEdge* first, const ActiveEdge* last) {
     return GridStart<GridVertex>(&grids_[0], line).start(vertex, first, last);
   });
 }
@@ -261,7 +259,14 @@ bool PatchLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const
   } else {
     grids_.set_background(painter.background());
   }
-  if (!start_edges(line)) {
+  const Sink sink{*this, painter, tap, line};
+  const std::uint16_t first = buckets_[static_cast<std::uint32_t>(line - top_ + 1)];
+  if (first == 0 && walker_.none_alive()) {
+    sink.rest(0);
+    ++line_;
+    return true;
+  }
+  if (first != 0 && !start_edges(line, line == top_ ? first : grids_.sorted(first))) {
     const std::uint32_t capacity = walker_.edge_capacity();
     return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
   }
@@ -269,7 +274,7 @@ bool PatchLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const
   if (planes_made_) walker_.forget_planes();
   planes_made_ = false;
   const auto again = [this](ActiveEdge& edge, std::int32_t next_line) { return run_again(edge, next_line); };
-  if (!walker_.walk(line, Sink{*this, painter, tap, line}, Planes{*this, line}, again)) {
+  if (!walker_.walk(line, sink, Planes{*this, line}, again)) {
     return give_up({Code::pool_exhausted, "overlaps", "", 0, line, OverlapSet::kMost + 1, OverlapSet::kMost});
   }
   ++line_;

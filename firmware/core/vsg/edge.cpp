@@ -11,15 +11,24 @@ std::int32_t below_top(const ScreenEdge& edge, std::int32_t line) {
   return line * kSubpixels + kSubpixels / 2 - edge.top.at.y;
 }
 
-void start_depth(const ScreenEdge& edge, std::int32_t line, SegmentHalf& half) {
-  const std::int64_t rise =
-      (std::int64_t{edge.bottom.depth} - std::int64_t{edge.top.depth}) * (1 << kRampShift);  // below 2^29
-  const std::int64_t dy = edge.height();
+template <typename Wide>
+void start_depth_in(const ScreenEdge& edge, std::int32_t line, SegmentHalf& half) {
+  const Wide rise = (Wide{static_cast<std::int32_t>(edge.bottom.depth)} - static_cast<std::int32_t>(edge.top.depth)) *
+                    (1 << kRampShift);  // below 2^29
+  const Wide dy = edge.height();
   const std::int32_t first = edge.first_line();
-  const std::int64_t start = round_div<std::int64_t>(rise * below_top(edge, first), dy);
-  half.depth_step = static_cast<std::int32_t>(round_div<std::int64_t>(rise * kSubpixels, dy));
+  const Wide start = round_div<Wide>(rise * below_top(edge, first), dy);
+  half.depth_step = static_cast<std::int32_t>(round_div<Wide>(rise * kSubpixels, dy));
   half.depth = (edge.top.depth << kRampShift) + static_cast<std::uint32_t>(start) +
                static_cast<std::uint32_t>(half.depth_step) * static_cast<std::uint32_t>(line - first);
+}
+
+// Mostly 32 bits are wide enough.
+void start_depth(const ScreenEdge& edge, std::int32_t line, SegmentHalf& half) {
+  constexpr std::uint32_t kMost = 1 << 21;
+  static_assert((std::int64_t{kMost} << kRampShift) * kSubpixels + UINT16_MAX / 2 <= INT32_MAX, "rise * a line");
+  const bool gentle = edge.bottom.depth - edge.top.depth + kMost <= 2 * kMost;
+  gentle ? start_depth_in<std::int32_t>(edge, line, half) : start_depth_in<std::int64_t>(edge, line, half);
 }
 
 }  // namespace
