@@ -56,16 +56,16 @@ TEST(PatchInvariance, PatchesAmongMeshes) {
 
 TEST(PatchInvariance, ThroughTheNearPlane) { expect_same_in_views(teapot_scene(MeshShading::gouraud), 4, 6, 0.01); }
 
-// Culled, in random views: the edge walker with pools that are large or little more than a line needs, and nothing to
+// In random views: the edge walker with pools that are large or little more than a line needs, and nothing to
 // fall back on.
-void expect_same_by_edges(host::CompiledScene scene, std::uint64_t seed, int views) {
+void expect_same_by_edges(host::CompiledScene scene, std::uint64_t seed, int views, int a_line = 600) {
   Random random(seed);
   for (int view = 0; view < views && !testing::Test::HasFailure(); ++view) {
     look_from_anywhere(scene, random, 0.6 + random.below(100) / 100.0);
     EngineOptions segments;
     segments.walker = Walker::segments;
     const Rendering by_segments = render(scene, segments);
-    for (const int grid : {8191, static_cast<int>(random.between(600, 1500))}) {
+    for (const int grid : {8191, static_cast<int>(random.between(a_line, 5 * a_line / 2))}) {
       EngineOptions edges;
       edges.walker = Walker::both;
       edges.pools.patch_grid = static_cast<std::uint16_t>(grid);
@@ -86,6 +86,15 @@ TEST(PatchInvariance, TheEdgeWalkerDrawsTheSame) {
       scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"flat"}],"instances":[{"mesh":"p","cull":true}],)"
                R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})"),
       7, 30);
+}
+
+TEST(PatchInvariance, TheEdgeWalkerDrawsBothSidesTheSame) {
+  expect_same_by_edges(
+      scene_of(R"({"meshes":[{"name":"p","bpt":"teapot.bpt","shading":"flat"}],"instances":[{"mesh":"p"},)"
+               R"({"mesh":"p","cull":true,"translate":[1,0.5,0.5]},)"
+               R"({"mesh":"p","translate":[0,1,0.3],"scale":[1,-0.8,1]}],)"
+               R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})"),
+      10, 30, 1600);
 }
 
 TEST(PatchInvariance, TheEdgeWalkerDrawsTheSameGouraud) {

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "core/shade/flat_light.hpp"
+#include "core/vsg/grid_start.hpp"
 #include "core/vsg/x_list.hpp"
 
 namespace spanline {
@@ -77,6 +78,12 @@ bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t
   return true;
 }
 
+// Whether more of the cell shows its front than its back, as PatchSource has it.
+static bool shows_front(const PatchJob& job, const GridVertex& cell) {
+  const std::int32_t area = CellAreas(&cell).both();
+  return job.reader.mirrored() ? area > 0 : area < 0;
+}
+
 // Culls and colours the cells of the strip below the grid's last row and puts the row below it in. A row that no seen
 // cell touches is left out where it is the first.
 void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
@@ -90,7 +97,8 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
     const NormalRow normals(*job.tangents, 2 * row + 1);
     const FlatLight light(*job.look.lights, *job.look.material, job.look.format);
     for (std::uint32_t i = 0; i < job.columns(); ++i) {
-      if (above[i].parts != CellParts::kNone) above[i].color = light.payload(normals.at(2 * i + 1));
+      if (above[i].parts == CellParts::kNone) continue;
+      above[i].color = light.payload(normals.at(2 * i + 1), job.look.two_sided && !shows_front(job, above[i]));
     }
   } else if (grid.rows == 1) {
     for (std::uint32_t i = 0; i < stride; ++i) {
@@ -106,10 +114,11 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
 // Notes which parts of the cells between two rows may be seen; returns whether any.
 bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below) {
   PackedXY a(above->at), d(below->at);
+  const bool two_sided = job.look.two_sided;
   std::uint32_t any = 0;
   for (std::uint32_t i = job.columns(); i != 0; --i, ++above) {
     const PackedXY b(above[1].at), c((++below)->at);
-    std::uint8_t parts = CellParts::of<true>(a, b, c, d, false, false);
+    std::uint8_t parts = CellParts::of<true>(a, b, c, d, false, two_sided);
     if (parts != CellParts::kNone && !job.whole) {
       ScreenBounds bounds;
       for (const PackedXY& p : {a, b, c, d}) bounds.widen(p.unpacked());
@@ -238,6 +247,11 @@ std::uint32_t PatchGrids::corners(FaceId face, std::uint32_t (&corner)[4]) const
   return 3;
 }
 
+bool PatchGrids::is_back(FaceId face) const {
+  const GridVertex& cell = v_[face / 2u];
+  return CellAreas(&cell).is_back(face, (cell.parts & CellParts::kApart) != 0);
+}
+
 template <typename Take>
 void PatchGrids::each_crossing(FaceId face, std::int32_t line, const Take& take) const {
   std::uint32_t corner[4];
@@ -296,7 +310,7 @@ DepthRamp PatchGrids::ramp(FaceId face, std::int32_t line) const {
   each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool down) {
     (down ? left : right) = start_edge({{top.at, top.depth, {}}, {bottom.at, bottom.depth, {}}}, line, true);
   });
-  return depth_between(left, right);
+  return left.column < right.column ? depth_between(left, right) : depth_between(right, left);
 }
 
 std::uint16_t PatchGrids::scene_face(FaceId face) const {

@@ -40,8 +40,9 @@ class PatchGrids {
   void shrink(std::int32_t bottom);
   std::int32_t bottom() const { return bottom_; }
 
-  // Dices the reader's current face, a patch culled and inside the view, and keeps the cells that face the viewer and
-  // may cover something of the lines. False where there is no room for all of them; then none is kept.
+  // Dices the reader's current face, a patch inside the view, and keeps the cells that face the viewer, or all where it
+  // is two-sided, that may cover something of the lines. False where there is no room for all of them; then none is
+  // kept.
   bool dice(const PatchJob& job, std::uint16_t face);
   // Whether dice() is for it: otherwise some control point lies outside of the view, or at its very border.
   static bool takes(const PatchJob& job) { return job.well_inside; }
@@ -70,9 +71,12 @@ class PatchGrids {
     word = static_cast<std::uint16_t>((word & 0xffu) | std::uint32_t{number} << 8);
   }
   BrightnessPlane brightness(FaceId face) const;
-  // The corners of a face, counter-clockwise; returns how many.
+  // The corners of a face, counter-clockwise if it shows its front; returns how many.
   std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
-  // The edge of a face that crosses `line` and runs down (on its left) or up. False where none does.
+  // Whether a face shows its back, which clockwise corners do.
+  bool is_back(FaceId face) const;
+  // The edge of a face that crosses `line` and runs down (on its left, if it shows its front) or up. False where none
+  // does.
   bool find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const;
   // What its corners' depths lie between, in units of 1/65536 less half the range; nearer ones are greater.
   DepthReach reach(FaceId face) const;

@@ -13,7 +13,8 @@ class PatchLines {
   PatchLines() = default;
   explicit PatchLines(const FrameStorage& storage);
 
-  // As MeshLines: scenes of patches alone, all smooth or none, culled and not mirrored, in the view whole.
+  // As MeshLines: scenes of patches alone, in the view whole, all smooth or none; culled ones not mirrored,
+  // smooth ones culled.
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
   bool ready() const { return ready_; }
   const SceneRecord& scene() const { return scene_.scene(); }
@@ -56,6 +57,7 @@ class PatchLines {
   std::uint16_t runs_ = 0;
   std::uint32_t most_edges_ = 0;
   Status shortage_;
+  bool both_sides_ = false;   // of some patch are drawn
   bool planes_made_ = false;  // on the line
   bool ready_ = false;
 };

@@ -133,9 +133,10 @@ Status PatchLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraReco
   ready_ = false;
   scene_ = scene;
   camera_ = camera;
-  if (const Status status = check(); !status.ok()) return status;
   if (const Status status = looks_.begin_frame(scene_); !status.ok()) return status;
+  if (const Status status = check(); !status.ok()) return status;
   reader_ = FacetReader(scene_, camera_, screen_, {});
+  both_sides_ = false;
   runs_ = height_ = 0;
   grids_.begin_frame();
   most_edges_ = 0;
@@ -154,7 +155,7 @@ Status PatchLines<kTaps, kPaint>::check() const {
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
     const std::uint16_t flags = at.instance().flags;
     if ((flags & InstanceRecord::kHidden) != 0) continue;
-    if ((flags & (InstanceRecord::kTwoSided | InstanceRecord::kScreen)) != 0) {
+    if ((flags & InstanceRecord::kScreen) != 0 || (looks_.on() && (flags & InstanceRecord::kTwoSided) != 0)) {
       return {Code::bad_record, "InstanceRecord", "flags", at.index(), 0, flags};
     }
     if (!at.mesh().of_patches()) return {Code::bad_record, "MeshRecord", "corners (no patches)", at.instance().mesh};
@@ -202,9 +203,12 @@ Status PatchLines<kTaps, kPaint>::dice_all() {
 
 template <bool kTaps, Paint kPaint>
 Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) {
-  if (reader_.mirrored()) return {Code::bad_record, "InstanceRecord", "transform (mirrored)", reader_.instance_index()};
+  const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
+  if (reader_.mirrored() && !two_sided)
+    return {Code::bad_record, "InstanceRecord", "transform (mirrored)", reader_.instance_index()};
   const MaterialRecord& material = scene_.scene().materials[reader_.face().material];
-  const PatchLook look{&rig, &material, screen_.format, looks_.on(), false};
+  const PatchLook look{&rig, &material, screen_.format, looks_.on(), two_sided};
+  both_sides_ = both_sides_ || two_sided;
   for (;;) {
     PatchJob job(reader_, look, {top_, grids_.bottom(), screen_.width});
     if (job.nothing) return {};
@@ -229,7 +233,8 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) 
 template <bool kTaps, Paint kPaint>
 bool PatchLines<kTaps, kPaint>::start_edges(std::uint16_t line, std::uint16_t vertex) {
   return walker_.start_by([this, line, vertex](ActiveEdge* first, const ActiveEdge* last) {
-    return GridStart<GridVertex>(&grids_[0], line).start(vertex, first, last);
+    return both_sides_ ? GridStart<GridVertex, true>(&grids_[0], line).start(vertex, first, last)
+                       : GridStart<GridVertex>(&grids_[0], line).start(vertex, first, last);
   });
 }
 
@@ -238,8 +243,9 @@ bool PatchLines<kTaps, kPaint>::run_again(ActiveEdge& edge, std::int32_t line) {
   if ((edge.rest & ActiveEdge::kTall) == 0) return false;
   const FaceId ends = edge.ending();
   const FaceId face = ends == 0 ? edge.beginning() : ends;
+  const bool back = both_sides_ && grids_.is_back(face);
   ScreenEdge e;
-  if (!grids_.find_edge(face, line, ends == 0, e)) return false;
+  if (!grids_.find_edge(face, line, (ends == 0) != back, e)) return false;
   if (first_centre(e.top.at.y) >= line) return false;  // that one comes from its own vertex
   const EdgeRun run = start_run(e.top.at, e.bottom.at, line);
   edge.x = run.x;

@@ -276,7 +276,7 @@ void PatchSource::colour(const PatchJob& job, std::uint32_t row, std::uint16_t f
   for (std::uint32_t i = first; i <= count_; ++i) {
     DicedFacet& facet = p_.facets[i];
     const Normal10 normal = normals.at(2 * (facet.part / 2u % kMaxSteps) + 1);
-    const bool flip = job.look.two_sided && !front(facet, job.reader.mirrored());
+    const bool flip = job.look.two_sided && !shows_front(facet, job.reader.mirrored());
     facet.payload = flat_payload(job.look.format, job.look.lights->shade(normal, *job.look.material, flip));
   }
 }
@@ -299,6 +299,12 @@ bool PatchSource::front(const DicedFacet& facet, bool mirrored) const {
     before = at;
   }
   return (mirrored ? -area : area) < 0;
+}
+
+// Whether its cell does, or what the view leaves of that.
+bool PatchSource::shows_front(DicedFacet facet, bool mirrored) const {
+  if (facet.kind != DicedFacet::kClipped) facet.kind = DicedFacet::kQuad;
+  return front(facet, mirrored);
 }
 
 }  // namespace spanline

@@ -116,6 +116,7 @@ class PatchSource {
   bool dice_rows(PatchJob& job);
   void step_off(const PatchJob& job, Row& row);
   bool reaches(const PatchJob& job, const DicedFacet& facet) const;
+  bool shows_front(DicedFacet facet, bool mirrored) const;
   bool seen_clipped(const PatchJob& job, const DicedFacet& facet) const;
   void note_parts(const PatchJob& job, DicedFacet cell, std::uint64_t bit, Parts& whole) const;
   bool strip(const PatchJob& job, Row& above, Row& below);

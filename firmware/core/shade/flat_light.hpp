@@ -15,10 +15,10 @@ class FlatLight {
     if (quick_) one_ = rig.one();
   }
 
-  // Of a surface with this normal, as flat_payload() has it.
-  std::uint16_t payload(const Normal10& normal) const {
-    if (quick_) return lit_rgb565_wire(material_.color, one_.sum(normal));
-    return flat_payload(format_, rig_.shade(normal, material_, false));
+  // Of a surface with this normal, as flat_payload() has it; `flip`: of its back.
+  std::uint16_t payload(const Normal10& normal, bool flip) const {
+    if (quick_ && !flip) return lit_rgb565_wire(material_.color, one_.sum(normal));
+    return flat_payload(format_, rig_.shade(normal, material_, flip));
   }
 
  private:

@@ -1,6 +1,8 @@
 // The edges that begin on a line where faces lie in grids: each from its upper end to its neighbours in the grid.
 #pragma once
 
+#include <utility>
+
 #include "core/vsg/active_edge.hpp"
 #include "core/vsg/line_walk.hpp"
 
@@ -24,8 +26,26 @@ struct CellCovers {
   static CoverKey only_if(std::uint32_t bit, CoverKey cover) { return (0u - bit) & cover; }
 };
 
-// Starts the edges of vertices that begin on one line.
-template <typename Vertex>
+// How large a cell's triangles are on the screen, doubled, and negative where they turn their fronts to the viewer.
+struct CellAreas {
+  std::int32_t upper, lower;
+
+  // Of the cell whose first corner that is.
+  template <typename Vertex>
+  explicit CellAreas(const Vertex* first) {
+    const Vertex* const below = first + first->stride;
+    const PackedXY a(first->at), c(below[1].at);
+    upper = doubled_area_near(a, PackedXY(first[1].at), c);
+    lower = doubled_area_near(a, c, PackedXY(below->at));
+  }
+  std::int32_t both() const { return upper + lower; }
+  // Whether a face shows its back: FaceId 2 v or 2 v + 1 of cell v, whose triangles are apart or not.
+  bool is_back(std::uint32_t face, bool apart) const { return (!apart ? both() : face % 2u != 0 ? lower : upper) > 0; }
+};
+
+// Starts the edges of vertices that begin on one line. kBothSides: cells may show their backs; else all that are drawn
+// show their fronts.
+template <typename Vertex, bool kBothSides = false>
 class GridStart {
  public:
   GridStart(const Vertex* vertices, std::int32_t line) : vertices_(vertices), line_(line) {}
@@ -36,7 +56,8 @@ class GridStart {
     ActiveEdge* out = begin;
     for (; vertex != 0; vertex = vertices_[vertex].next) {
       const FromVertex from(PackedXY(vertices_[vertex].at), line_);
-      const ActiveEdge* const end = last - out >= kMost ? put(vertex, out) : put_in_little_room(vertex, out, last);
+      const ActiveEdge* const end =
+          static_cast<std::size_t>(last - out) >= kMost ? put(vertex, out) : put_in_little_room(vertex, out, last);
       if (end == nullptr) [[unlikely]]
         return nullptr;
       for (; out != end; ++out) {
@@ -50,7 +71,7 @@ class GridStart {
   }
 
  private:
-  static constexpr std::ptrdiff_t kMost = 6;  // edges of a vertex
+  static constexpr std::size_t kMost = kBothSides ? 12 : 6;  // edges of a vertex
 
   // Puts the vertex's edges to `out`, as FromVertex::run_far() takes them. Returns their end.
   [[gnu::always_inline]] ActiveEdge* put(std::uint32_t vertex, ActiveEdge* out) const {
@@ -60,17 +81,28 @@ class GridStart {
     // The cells around the vertex; beyond the grid's rim they have no parts.
     const CellCovers below_right(vertex, at->parts), below_left(vertex - 1, at[-1].parts);
     CellCovers above_right, above_left;
-    // Half of the edges run up. The face counter-clockwise of an edge lies on its right. Where both sides are the same,
-    // there may be no neighbour.
-    const auto edge = [&out, centre = line_ * kSubpixels + kSubpixels / 2](const Vertex* to, CoverKey begins,
-                                                                           CoverKey ends) {
-      if (begins == ends) return;
-      const PackedXY bottom(to->at);
-      if (bottom.y() <= centre) return;
+    // Half of the edges run up. The face counter-clockwise of an edge lies on its right, if it shows its front. Where
+    // both sides are the same, there may be no neighbour.
+    const auto put_edge = [&out](PackedXY bottom, CoverKey begins, CoverKey ends) {
       out->x = static_cast<std::int32_t>(bottom.word);
       out->toggle = begins - ends;
       out->rest = static_cast<FaceId>(ends);
       ++out;
+    };
+    const auto edge = [&, centre = line_ * kSubpixels + kSubpixels / 2](const Vertex* to, CoverKey begins,
+                                                                        CoverKey ends) {
+      if (begins == ends) return;
+      const PackedXY bottom(to->at);
+      if (bottom.y() <= centre) return;
+      if constexpr (kBothSides) {
+        const bool swap_begins = begins != 0 && is_back(begins), swap_ends = ends != 0 && is_back(ends);
+        if (begins != 0 && ends != 0 && swap_begins != swap_ends) {  // a fold: both lie on the same side
+          swap_begins ? put_edge(bottom, 0, begins) : put_edge(bottom, begins, 0);
+          return swap_ends ? put_edge(bottom, ends, 0) : put_edge(bottom, 0, ends);
+        }
+        if (swap_begins || swap_ends) std::swap(begins, ends);
+      }
+      put_edge(bottom, begins, ends);
     };
     if (at->first_row == 0) {
       above_right = {vertex - stride, up->parts};
@@ -83,6 +115,11 @@ class GridStart {
     edge(down + 1, below_right.lower, below_right.upper);
     edge(at + 1, below_right.upper, above_right.lower);
     return out;
+  }
+  bool is_back(CoverKey cover) const {
+    const FaceId face = only_face(cover);
+    const Vertex* const cell = &vertices_[face / 2u];
+    return CellAreas(cell).is_back(face, (cell->parts & CellCovers::kApart) != 0);
   }
   // The same by way of elsewhere; null where there is no room for those that begin.
   [[gnu::cold, gnu::noinline]] ActiveEdge* put_in_little_room(std::uint32_t vertex, ActiveEdge* out,
