@@ -11,6 +11,7 @@
 #include "glyphs.hpp"
 #include "golden/crc32.hpp"
 #include "patches.hpp"
+#include "patches_both_sides.hpp"
 #include "smooth_patches.hpp"
 #include "wire.hpp"
 
@@ -28,7 +29,10 @@ inline constexpr CurvedPicture kCurves[] = {
     {"dial", &dial::scene, &dial::camera, 0x8e932461},
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
-inline constexpr CurvedPicture kPatches[] = {{"patches", &patches::scene, &patches::camera, 0x88ca5549}};
+inline constexpr CurvedPicture kPatches[] = {
+    {"patches", &patches::scene, &patches::camera, 0x88ca5549},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0xdc0c9949},
+};
 inline constexpr CurvedPicture kSmoothPatches[] = {
     {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe1bedb4c}};
 
@@ -42,7 +46,7 @@ inline constexpr Budget kCurvesBudget{.facets = 16,
                                       .strands = 160,
                                       .gouraud = false};
 inline constexpr Budget kPatchesBudget{
-    .facets = 0, .vertices = 0, .edges = 73, .patch_grid = 1380, .gouraud = false, .walker = Walker::edges};
+    .facets = 0, .vertices = 0, .edges = 120, .patch_grid = 1380, .gouraud = false, .walker = Walker::edges};
 inline constexpr Budget kSmoothPatchesBudget{
     .facets = 0, .vertices = 0, .edges = 73, .patch_grid = 1380, .walker = Walker::edges, .looks = 110};
 
