@@ -111,9 +111,9 @@ class GridStart {
       edge(up - 1, above_left.upper, above_left.lower);
     }
     edge(at - 1, above_left.lower, below_left.upper);
+    edge(at + 1, below_right.upper, above_right.lower);
     edge(down, below_left.upper, below_right.lower);
     edge(down + 1, below_right.lower, below_right.upper);
-    edge(at + 1, below_right.upper, above_right.lower);
     return out;
   }
   bool is_back(CoverKey cover) const {
