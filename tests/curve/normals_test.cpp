@@ -94,5 +94,69 @@ TEST(NormalRow, IsDefinedWhereThereIsNone) {
   EXPECT_EQ(NormalRow(PatchTangents(point, {4, 4}), 0).at(4).packed, Normal10::pack(0, 0, 511).packed);
 }
 
+// The exact normal of a facet, from its corners in clip space: where the matrix takes it from.
+Vector exact_normal(const ClipMatrix& matrix, const std::array<ClipPoint, 4>& p) {
+  const auto between = [](const ClipPoint& from, const ClipPoint& to) {
+    return Vector{static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y,
+                  static_cast<double>(to.w) - from.w};
+  };
+  const Vector n = cross(between(p[0], p[2]), between(p[1], p[3]));
+  const auto back = [&](int i) {
+    const double sum = matrix.linear[0][i] * n.x + matrix.linear[1][i] * n.y + matrix.linear[2][i] * n.z;
+    return matrix.mirrored ? -sum : sum;
+  };
+  return {back(0), back(1), back(2)};
+}
+
+// Hands the corners of all cells of the patch's grid to cell(corners, u, v of the middle).
+template <typename Cell>
+void for_cells(const ClipPatch& patch, const DiceView& view, Cell&& cell) {
+  std::vector<ClipPoint> above(kMaxSteps + 1), below(kMaxSteps + 1);
+  PatchDicer dicer(patch, view);
+  GridRow row;
+  for (std::uint32_t i = 0; i <= dicer.rows(); ++i, above.swap(below)) {
+    dicer.next_row(row);
+    dicer.step_off(row, below.data());
+    for (std::uint32_t j = 0; j <= dicer.columns(); ++j) EXPECT_TRUE(same_point(below[j], dicer.vertex(row, j)));
+    for (std::uint32_t j = 0; i > 0 && j < dicer.columns(); ++j) {
+      cell(std::array<ClipPoint, 4>{above[j], above[j + 1], below[j + 1], below[j]}, (j + 0.5) / dicer.columns(),
+           (i - 0.5) / dicer.rows());
+    }
+  }
+}
+
+TEST(FacetNormals, AreThoseOfTheDiagonalsAndNearThePatchesOwn) {
+  double off = 0, count = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    PatchView view = random_view(seed, seed % 2 == 0 ? 1 : 4, 8);
+    if (seed % 3 == 0) {  // a mirror
+      view.matrix.mirrored = true;
+      for (auto& row : view.matrix.linear) row[0] = -row[0];
+    }
+    const FacetNormals normals(view.matrix);
+    for (const PatchPoints& points : teapot_patches()) {
+      for_cells(view.patch(points), view.dice, [&](const std::array<ClipPoint, 4>& p, double u, double v) {
+        const Vector exact = exact_normal(view.matrix, p), got = vector_of(normals.of(p[0], p[1], p[2], p[3]));
+        if (length(exact) == 0) return;
+        EXPECT_LT(degrees_between(exact, got), 0.5);
+        off += degrees_between(normal_at(shape_of(points), u, v), got);
+        ++count;
+      });
+    }
+  }
+  EXPECT_LT(off / count, 1.5);  // the mean; where the patch turns sharply a cell may be off by tens of degrees
+}
+
+TEST(FacetNormals, AreDefinedWhereThereAreNone) {
+  const ClipPoint p{100, 200, 300}, q{400, 200, 300};
+  const FacetNormals normals(random_view(1, 1, 8).matrix);
+  EXPECT_EQ(normals.of(p, p, p, p).packed, Normal10::pack(0, 0, 511).packed);
+  EXPECT_EQ(normals.of(p, q, p, q).packed, Normal10::pack(0, 0, 511).packed);
+  // From end to end of clip space.
+  const std::int32_t far = INT32_MAX;
+  const ClipPoint a{-far, -far, far}, b{-far, far, far}, c{far, far, far}, d{far, -far, far};
+  EXPECT_NE(normals.of(a, b, c, d).packed, Normal10::pack(0, 0, 511).packed);
+}
+
 }  // namespace
 }  // namespace spanline::test

@@ -64,8 +64,19 @@ std::uint32_t most(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&patch) {
   ScreenPlace places[16];
   for (int i = 0; i < 16; ++i) places[i] = ScreenPlace(patch.at[i / 4][i % 4], view);
+  find_steps(places, view);
+}
+
+PatchDicer::PatchDicer(const ClipPatch& patch, const ScreenXY (&projected)[4][4], const DiceView& view)
+    : patch_(&patch) {
+  ScreenPlace places[16];
+  for (int i = 0; i < 16; ++i) places[i] = ScreenPlace(projected[i / 4][i % 4], view);
+  find_steps(places, view);
+}
+
+void PatchDicer::find_steps(const ScreenPlace (&places)[16], const DiceView& view) {
   const PlaceBounds bounds(places, 16, 1, view);
-  const Direction along(patch, places, bounds, 1, 4), across(patch, places, bounds, 4, 1);
+  const Direction along(*patch_, places, bounds, 1, 4), across(*patch_, places, bounds, 4, 1);
   const CurveReach whole = along.whole();
   const int down = whole.beyond_27_bits();
   first_ = along.side(0, view);
@@ -123,6 +134,17 @@ void PatchDicer::step_off(const GridRow& row, ClipPoint* out) const {
   if (side.own == columns_) return;
   // In place from the last one on: what is taken stands before where it goes.
   for (std::uint32_t i = columns_; i > 0; --i) out[i] = out[side_vertex(i, side.own, columns_)];
+}
+
+ClipPoint PatchDicer::vertex(const GridRow& row, std::uint32_t column) const {
+  const auto& p = row.control;
+  if (row.own.own != 0) {
+    return CurveParameter(side_vertex(column, row.own.own, columns_), row.own.own)
+        .of(p[0], p[1], p[2], p[3], row.own.scale);
+  }
+  if (column == 0) return row.left;
+  if (column == columns_) return row.right;
+  return CurveParameter(column, columns_).of(p[0], p[1], p[2], p[3], inner_.along);
 }
 
 }  // namespace spanline

@@ -40,6 +40,8 @@ class PatchDicer {
  public:
   // `patch` must outlive the dicer.
   PatchDicer(const ClipPatch& patch, const DiceView& view);
+  // Where the control points were projected already (ScreenPlace): so it is for all patches that meet, or for none.
+  PatchDicer(const ClipPatch& patch, const ScreenXY (&projected)[4][4], const DiceView& view);
 
   // Facets along u and along v: at least 1, at most kMaxSteps.
   std::uint32_t columns() const { return columns_; }
@@ -50,6 +52,9 @@ class PatchDicer {
 
   // Puts the row's columns() + 1 vertices in order to `out`.
   void step_off(const GridRow& row, ClipPoint* out) const;
+
+  // The vertex that step_off() puts to out[column].
+  ClipPoint vertex(const GridRow& row, std::uint32_t column) const;
 
   // Hands them to `vertex(const ClipPoint&)`, one by one.
   template <typename Vertex>
@@ -69,6 +74,8 @@ class PatchDicer {
   }
 
  private:
+  void find_steps(const ScreenPlace (&places)[16], const DiceView& view);
+
   const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
   PatchSide first_, last_;  // sides along u

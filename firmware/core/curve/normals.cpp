@@ -25,6 +25,8 @@ std::uint32_t bits_of(const Vector& a) {
   return bits(a.v[0]) | bits(a.v[1]) | bits(a.v[2]);
 }
 
+Vector shifted(const Vector& a, int down) { return {{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}}; }
+
 // Cuts vectors off to at most `bits` bits by a common exponent; they are never made longer.
 template <std::size_t N>
 void shorten(Vector (&vectors)[N], int bits) {
@@ -32,19 +34,20 @@ void shorten(Vector (&vectors)[N], int bits) {
   for (const Vector& a : vectors) any |= bits_of(a);
   const int down = static_cast<int>(std::bit_width(any)) - bits;
   if (down <= 0) return;
-  for (Vector& a : vectors) a = {{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}};
+  for (Vector& a : vectors) a = shifted(a, down);
 }
 
 // To kDirectionBits bits at most. Shorter ones are exact as they are.
 [[gnu::always_inline]] inline Vector direction(const Vector& a) {
   const int down = static_cast<int>(std::bit_width(bits_of(a))) - kDirectionBits;
-  return down <= 0 ? a : Vector{{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}};
+  return down <= 0 ? a : shifted(a, down);
 }
 
-Vector cross(const Vector& p, const Vector& q) {
-  const Vector a = direction(p), b = direction(q);
+// Of vectors of kDirectionBits bits.
+Vector product(const Vector& a, const Vector& b) {
   return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2], a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
 }
+Vector cross(const Vector& a, const Vector& b) { return product(direction(a), direction(b)); }
 
 // Bernstein's polynomials at at / of, times of^degree.
 struct Weights {
@@ -73,7 +76,7 @@ Vector blend(const V* const (&points)[N], const std::int32_t (&weights)[N]) {
   (std::make_index_sequence<N>());
 }
 
-Normal10 pack(const Vector& normal) {
+[[gnu::always_inline]] inline Normal10 pack(const Vector& normal) {
   const Vector n = direction(normal);  // its square is at most 3 * 2^28
   const InverseRoot inverse(static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]));
   const auto scale = static_cast<std::int32_t>(inverse.factor * 511 >> 9);  // at most 2^16
@@ -122,6 +125,34 @@ Normal10 NormalRow::at(std::uint32_t column) const {
   const Vector uv = blend({&turns[0], &turns[1], &turns[2]}, weights.quadratic);
   if (row_ == 0 || row_ == grid_.rows) normal = row_ == 0 ? cross(uv, v) : -cross(uv, v);
   if (is_zero(normal) && (column == 0 || column == grid_.columns)) normal = column == 0 ? cross(u, uv) : -cross(u, uv);
+  return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
+}
+
+FacetNormals::FacetNormals(const ClipMatrix& matrix) {
+  Vector rows[3];
+  for (int i = 0; i < 3; ++i) rows[i] = {{matrix.linear[i][0], matrix.linear[i][1], matrix.linear[i][2]}};
+  shorten(rows, kDirectionBits);
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t x = rows[0].v[i], y = rows[1].v[i], w = rows[2].v[i];
+    xy_[i] = matrix.mirrored ? pack_halves(-x, -y) : pack_halves(x, y);
+    w_[i] = matrix.mirrored ? -w : w;
+  }
+}
+
+Normal10 FacetNormals::of(const ClipPoint& a, const ClipPoint& b, const ClipPoint& c, const ClipPoint& d) const {
+  // Halves, since a facet may reach from end to end of clip space.
+  const auto half = [](const ClipPoint& from, const ClipPoint& to) {
+    return Vector{{(to.x >> 1) - (from.x >> 1), (to.y >> 1) - (from.y >> 1), (to.w >> 1) - (from.w >> 1)}};
+  };
+  const Vector ac = half(a, c), bd = half(b, d);
+  const int down = static_cast<int>(std::bit_width(bits_of(ac) | bits_of(bd))) - kDirectionBits;
+  const Vector n = direction(down <= 0 ? product(ac, bd) : product(shifted(ac, down), shifted(bd, down)));
+  const std::uint32_t xy = pack_halves(n.v[0], n.v[1]);
+  // |n| and the matrix are below 2^14 and 2^14 a component.
+  const auto back = [&](int i) {
+    return static_cast<std::int32_t>(add_products(xy_[i], xy, static_cast<std::uint32_t>(w_[i] * n.v[2])));
+  };
+  const Vector normal{{back(0), back(1), back(2)}};
   return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
 }
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "core/scene/format.hpp"
+#include "core/geom/clip_matrix.hpp"
 
 namespace spanline {
 
@@ -56,6 +56,23 @@ class NormalRow {
   NormalGrid grid_;
   Vector along_[3];   // control points of the derivative along u, a quadratic
   Vector across_[4];  // of the derivative along v, a cubic in u
+};
+
+// Normals of the facets that a patch is diced into, from their corners in clip space: turned by a linear map, a product
+// of vectors is so by the map's cofactors, and turned back by its transpose.
+class FacetNormals {
+ public:
+  // Of meshes that `matrix` takes to clip space.
+  explicit FacetNormals(const ClipMatrix& matrix);
+
+  // Of the facet with these corners, in order, what both its diagonals stand upright on: on the side that sees them
+  // turn counter-clockwise in the mesh. (0, 0, 511) where they span nothing.
+  Normal10 of(const ClipPoint& a, const ClipPoint& b, const ClipPoint& c, const ClipPoint& d) const;
+
+ private:
+  // Columns of the matrix, 15 bits a component: x and y in one word, and w.
+  std::uint32_t xy_[3];
+  std::int32_t w_[3];
 };
 
 }  // namespace spanline

@@ -7,6 +7,8 @@
 namespace spanline {
 namespace {
 
+constexpr int kProjectedBits = 14;  // of a place in 28.4 px, in guard bands
+
 std::uint32_t magnitude(std::int32_t v) { return static_cast<std::uint32_t>(v < 0 ? -v : v); }
 std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
 
@@ -34,17 +36,27 @@ ScreenPlace::ScreenPlace(const ClipPoint& p, const DiceView& view) {
   y = place(p.y);
 }
 
+ScreenPlace::ScreenPlace(ScreenXY at, const DiceView& view) {
+  if (at.x == kNotProjected.x) return;
+  static_assert(kGuardPx * kSubpixels == 1 << kProjectedBits);
+  constexpr int kUp = 31 - kProjectedBits;
+  const std::int32_t limit = view.reach >> kUp;
+  const auto place = [&](std::int32_t v) { return (v < -limit ? -limit : v > limit ? limit : v) * (1 << kUp); };
+  x = place(at.x - view.centre_x);
+  y = place(at.y - view.centre_y);
+}
+
 PlaceBounds::PlaceBounds(const ScreenPlace* place, int count, int stride, const DiceView& view) {
-  bool anywhere = false;
   for (int i = 0; i < count; ++i, place += stride) {
-    anywhere = anywhere || place->x == ScreenPlace::kAnywhere;
     if (place->x < x.low) x.low = place->x;
     if (place->x > x.high) x.high = place->x;
     if (place->y < y.low) y.low = place->y;
     if (place->y > y.high) y.high = place->y;
   }
-  if (anywhere) x = y = {-view.reach, view.reach};
-  constexpr std::int32_t kError = 1 << 8;  // the reciprocal's 2^-25 of one, and what is cut off
+  static_assert(ScreenPlace::kAnywhere == INT32_MIN);
+  if (x.low == ScreenPlace::kAnywhere) x = y = {-view.reach, view.reach};
+  // Half a unit of a projected point; the reciprocal's 2^-25 of one, and what is cut off.
+  constexpr std::int32_t kError = (1 << (30 - kProjectedBits)) + (1 << 8);
   x = {x.low - kError, x.high + kError};
   y = {y.low - kError, y.high + kError};
 }

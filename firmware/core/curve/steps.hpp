@@ -14,14 +14,17 @@ namespace spanline {
 // What the number of steps depends on, beside the curve's own four control points. All patches that share a boundary
 // must be given the same.
 struct DiceView {
-  std::int32_t near_w;      // Q16.16
-  std::int32_t reach;       // Q1.31 guard bands: half the longer side of the screen
-  std::uint32_t tolerance;  // 1/16 px that a chord may be off its curve; at least 1
+  std::int32_t near_w;              // Q16.16
+  std::int32_t reach;               // Q1.31 guard bands: half the longer side of the screen
+  std::uint32_t tolerance;          // 1/16 px that a chord may be off its curve; at least 1
+  std::int32_t centre_x, centre_y;  // 28.4 px
 
   DiceView(const Projection& projection, const Screen& screen, std::uint32_t tolerance_16ths)
       : near_w(projection.near_w),
         reach((screen.width > screen.height ? screen.width : screen.height) * (1 << 20)),
-        tolerance(tolerance_16ths) {}
+        tolerance(tolerance_16ths),
+        centre_x(projection.centre_x),
+        centre_y(projection.centre_y) {}
 };
 static_assert(kGuardPx == 1 << 10 && kMaxExtent < (1 << 11) - 1, "reach, and a little more, is below one");
 
@@ -32,6 +35,9 @@ struct ScreenPlace {
 
   ScreenPlace() = default;
   ScreenPlace(const ClipPoint& p, const DiceView& view);
+  // Of a point that was projected already, or kNotProjected.
+  ScreenPlace(ScreenXY at, const DiceView& view);
+  static constexpr ScreenXY kNotProjected{INT16_MIN, 0};
 };
 
 // What the places of control points lie between.

@@ -13,7 +13,20 @@ struct PatchGrids::Open {
   std::uint16_t face;
   std::uint32_t header = 0;  // 0: none is open
   std::uint32_t rows = 0;
-  std::uint32_t first = 0;  // the patch's row that is its first
+  std::uint32_t first = 0;   // the patch's row that is its first
+  std::uint32_t points = 0;  // entries at the pool's end that hold rows' points
+};
+
+// A row of the patch; its vertices stand at the pool's end as long as cells beside it are to be coloured.
+struct PatchGrids::Row {
+  GridRow grid;
+  ClipPoint* vertices;
+};
+
+// What colours a patch's cells where it is flat.
+struct PatchGrids::Light {
+  FacetNormals normals;
+  FlatLight flat;
 };
 
 void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
@@ -23,17 +36,29 @@ void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
   v_[0].parts = CellParts::kNone;  // what lies before the first grid
 }
 
+// Entries of the pool as points.
+ClipPoint* PatchGrids::points_at(std::uint32_t first, std::uint32_t count) const {
+  static_assert(sizeof(ClipPoint) == sizeof(GridVertex) && alignof(ClipPoint) == alignof(GridVertex));
+  for (std::uint32_t i = first; i != first + count; ++i) new (&v_[i]) ClipPoint;
+  return std::launder(reinterpret_cast<ClipPoint*>(&v_[first]));
+}
+
 bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   const std::uint16_t before = used_;
   Open grid{face};
-  GridRow rows[2];
+  const std::uint32_t stride = job.columns() + 1, end = v_.capacity() + 1u;
+  const std::uint32_t other = job.look.gouraud ? 0 : stride;  // cells without a colour need no row any more
+  grid.points = stride + other;
+  if (grid.points >= end) return false;
+  Row rows[2] = {{{}, points_at(end - stride, stride)}, {{}, points_at(end - stride - other, stride)}};
+  const Light light{FacetNormals(job.reader.matrix()), {*job.look.lights, *job.look.material, job.look.format}};
   ScreenBounds bounds_above;
   for (std::uint32_t i = 0; i <= job.rows(); ++i) {
-    const GridRow& above = rows[(i + 1) % 2];
-    GridRow& below = rows[i % 2];
-    job.dicer->next_row(below);
+    const Row& above = rows[(i + 1) % 2];
+    Row& below = rows[i % 2];
+    job.dicer->next_row(below.grid);
     ScreenBounds bounds, both = bounds_above;
-    if (!job.whole) bounds = job.bounds_of(below);
+    if (!job.whole) bounds = job.bounds_of(below.grid);
     both.widen(bounds);
     if (i == 0 || !(job.whole || job.window.meets(both))) {
       close(job, grid);
@@ -43,14 +68,14 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
         grid.header = used_ + 1u;
         grid.rows = 1;
         grid.first = i - 1;
-        room = step_off(job, above, grid.header + 1, true);
+        room = step_off(job, above, grid, 0);
       }
-      if (room) room = step_off(job, below, grid.header + 1 + grid.rows * (job.columns() + 1), false);
+      if (room) room = step_off(job, below, grid, grid.rows);
       if (!room) {
         used_ = before;
         return false;
       }
-      strip(job, grid, i - 1);
+      strip(job, light, grid, above, below);
     }
     bounds_above = bounds;
   }
@@ -58,22 +83,18 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   return true;
 }
 
-// Steps a row off to v_[at] and on. False where it has no room there.
-bool PatchGrids::step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row) {
-  const std::uint32_t stride = job.columns() + 1;
-  if (at + stride > v_.capacity() + 1u) return false;
-  if (at + stride - 1 > most_) most_ = at + stride - 1;
-  // The row's points stand where their vertices come to stand.
-  static_assert(sizeof(ClipPoint) == sizeof(GridVertex) && alignof(ClipPoint) == alignof(GridVertex));
-  GridVertex* const vertices = &v_[at];
-  for (std::uint32_t i = stride; i-- > 0;) new (vertices + i) ClipPoint;
-  job.dicer->step_off(row, std::launder(reinterpret_cast<ClipPoint*>(vertices)));
+// Steps a row off that becomes the grid's row `to`. False where it has no room.
+bool PatchGrids::step_off(const PatchJob& job, const Row& row, const Open& grid, std::uint32_t to) {
+  const std::uint32_t stride = job.columns() + 1, at = grid.header + 1 + to * stride;
+  const std::uint32_t used = at + stride - 1 + grid.points;
+  if (used > v_.capacity()) return false;
+  if (used > most_) most_ = used;
+  job.dicer->step_off(row.grid, row.vertices);
   const Projection projection = job.reader.projection();  // what is written is none of it
-  for (GridVertex* out = vertices; out != vertices + stride; ++out) {
-    ClipPoint p = *std::launder(reinterpret_cast<const ClipPoint*>(out));
-    if (p.w < projection.near_w) p.w = projection.near_w;  // by rounding
-    const ScreenPoint on_screen = projection(p);
-    new (out) GridVertex{0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, first_row};
+  const ClipPoint* in = row.vertices;
+  for (GridVertex *out = &v_[at], *const end = out + stride; out != end; ++out) {
+    const ScreenPoint on_screen = projection(*in++);
+    new (out) GridVertex{0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, to == 0};
   }
   return true;
 }
@@ -84,22 +105,14 @@ static bool shows_front(const PatchJob& job, const GridVertex& cell) {
   return job.reader.mirrored() ? area > 0 : area < 0;
 }
 
-// Culls and colours the cells of the strip below the grid's last row and puts the row below it in. A row that no seen
-// cell touches is left out where it is the first.
-void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
+// Culls and colours the cells of the strip between the grid's last row and the row below, and puts that in. A row that
+// no seen cell touches is left out where it is the first.
+void PatchGrids::strip(const PatchJob& job, const Light& light, Open& grid, const Row& above_row,
+                       const Row& below_row) {
   const std::uint32_t stride = job.columns() + 1;
   GridVertex* const above = &v_[grid.header + 1 + (grid.rows - 1) * stride];
   if (note_parts(job, above, above + stride)) {
-    if (job.look.gouraud) {
-      ++grid.rows;
-      return;
-    }
-    const NormalRow normals(*job.tangents, 2 * row + 1);
-    const FlatLight light(*job.look.lights, *job.look.material, job.look.format);
-    for (std::uint32_t i = 0; i < job.columns(); ++i) {
-      if (above[i].parts == CellParts::kNone) continue;
-      above[i].color = light.payload(normals.at(2 * i + 1), job.look.two_sided && !shows_front(job, above[i]));
-    }
+    if (!job.look.gouraud) color(job, light, above, above_row, below_row);
   } else if (grid.rows == 1) {
     for (std::uint32_t i = 0; i < stride; ++i) {
       above[i] = above[stride + i];
@@ -109,6 +122,16 @@ void PatchGrids::strip(const PatchJob& job, Open& grid, std::uint32_t row) {
     return;
   }
   ++grid.rows;
+}
+
+// Colours the cells of a strip that are seen.
+void PatchGrids::color(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above, const Row& below) {
+  const ClipPoint *a = above.vertices, *d = below.vertices;
+  for (std::uint32_t i = job.columns(); i != 0; --i, ++cells, ++a, ++d) {
+    if (cells->parts == CellParts::kNone) continue;
+    const bool flip = job.look.two_sided && !shows_front(job, *cells);
+    cells->color = light.flat.payload(light.normals.of(a[0], a[1], d[1], d[0]), flip);
+  }
 }
 
 // Notes which parts of the cells between two rows may be seen; returns whether any.

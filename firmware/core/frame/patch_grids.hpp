@@ -90,11 +90,18 @@ class PatchGrids {
  private:
   struct Open;
 
-  void strip(const PatchJob& job, Open& grid, std::uint32_t row);
-  bool step_off(const PatchJob& job, const GridRow& row, std::uint32_t at, bool first_row);
+  struct Row;
+  struct Light;
+
+  ClipPoint* points_at(std::uint32_t first, std::uint32_t count) const;
+  void strip(const PatchJob& job, const Light& light, Open& grid, const Row& above, const Row& below);
+  bool step_off(const PatchJob& job, const Row& row, const Open& grid, std::uint32_t to);
+  static void color(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above, const Row& below);
   static bool note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below);
   void close(const PatchJob& job, Open& grid);
   void light(const PatchJob& job, std::uint32_t header, std::uint32_t row);
+  void light_row(const LightRig& rig, const PatchTangents& tangents, std::uint32_t first, std::uint32_t column,
+                 std::uint32_t row);
   // Whether a cell around the vertex, of rows of `stride`, is drawn.
   bool has_cell(std::uint32_t vertex, std::uint32_t stride) const {
     std::uint32_t around = std::uint32_t{v_[vertex].parts} | v_[vertex - 1].parts;

@@ -28,36 +28,59 @@ bool is_steep(const ScreenXY (&at)[4][4]) {
 
 PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const PatchWindow& w)
     : reader(facets), look(patch_look), window(w) {
-  const Projection& projection = reader.projection();
-  std::uint8_t outside_any = 0, outside_all = 0xff;
-  ScreenXY at[4][4];
-  ScreenBounds points;
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    ClipPoint& p = patch.at[i / 4][i % 4];
-    ClipPoint inside = p = reader.control_point(i);
-    std::uint8_t code = 0;
-    if (!projection.well_inside(p)) {
-      well_inside = false;
-      code = projection.outcode(p);
-      if (code != 0) inside = projection.held(p);
+  reader.control_points(patch.at);
+  const Projection projection = reader.projection();
+  for (const auto& row : patch.at) {
+    for (const ClipPoint& p : row) well_inside = well_inside && projection.well_inside(p);
+  }
+  if (well_inside) {
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) at[i][j] = projection(patch.at[i][j]).at;
     }
-    outside_any |= code;
-    outside_all &= code;
-    points.widen(at[i / 4][i % 4] = projection(inside).at);
+  } else {
+    project_held();
+  }
+  ScreenBounds points;
+  for (const auto& row : at) {
+    for (const ScreenXY& p : row) points.widen(p);
   }
   bounds = points.of_hull();
-  behind = (outside_any & Outcode::kNear) != 0;
-  outside = outside_any != 0;
-  nothing = outside_all != 0 || !(behind || window.meets(bounds));
+  nothing = nothing || !(behind || window.meets(bounds));
   if (nothing) return;
   whole = !outside && window.holds(bounds);
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    shape.at[i / 4][i % 4] = reader.mesh().positions[reader.face().corners[i]];
-  }
   // Strips are to be thin from top to bottom, so that a band meets few of them.
-  if (!is_steep(at)) return;
+  turned = is_steep(at);
+  if (!turned) return;
   turn(patch.at);
-  turn(shape.at);
+  turn(at);
+}
+
+// Where some control point may lie outside of the view.
+void PatchJob::project_held() {
+  const Projection& projection = reader.projection();
+  std::uint8_t outside_any = 0, outside_all = 0xff;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const ClipPoint& p = patch.at[i][j];
+      const std::uint8_t code = projection.outcode(p);
+      outside_any |= code;
+      outside_all &= code;
+      at[i][j] = (code & Outcode::kNear) != 0 ? ScreenPlace::kNotProjected : projection.clamped(p).at;
+    }
+  }
+  behind = (outside_any & Outcode::kNear) != 0;
+  outside = outside_any != 0;
+  nothing = outside_all != 0;
+}
+
+PatchTangents PatchJob::tangents_of_corners() const {
+  PatchShape shape;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    for (std::uint32_t j = 0; j < 4; ++j) {  // as turn() has it
+      shape.at[i][j] = reader.mesh().positions[reader.face().corners[turned ? 4 * j + 3 - i : 4 * i + j]];
+    }
+  }
+  return {shape, {rows(), columns()}};
 }
 
 ScreenBounds PatchJob::bounds_of(const GridRow& row) const {

@@ -89,24 +89,27 @@ struct PatchJob {
   const PatchLook& look;
   PatchWindow window;
   ClipPatch patch;
-  PatchShape shape;
+  ScreenXY at[4][4];  // its control points on the screen; ScreenPlace::kNotProjected before the near plane
   ScreenBounds bounds;
   bool behind = false;      // some control point lies before the near plane: its bounds say nothing
   bool outside = false;     // some control point lies outside of some plane
   bool well_inside = true;  // Projection::well_inside() is true of all control points, and of what lies between them
   bool nothing = false;     // nothing of the patch can be seen
   bool whole = false;       // all of it lies in the window
+  bool turned = false;      // `patch` is the face by a quarter
   PatchDicer* dicer = nullptr;
-  const PatchTangents* tangents = nullptr;  // at the corners of facets where look.gouraud, else made for their middles
+  const PatchTangents* tangents = nullptr;  // at the corners of facets
 
   PatchJob(const FacetReader& facets, const PatchLook& patch_look, const PatchWindow& w);
   std::uint32_t rows() const { return dicer->rows(); }
   std::uint32_t columns() const { return dicer->columns(); }
   ScreenBounds bounds_of(const GridRow& row) const;
-  // What `tangents` are to be made for.
-  NormalGrid normal_grid() const {
-    return look.gouraud ? NormalGrid{rows(), columns()} : NormalGrid{2 * rows(), 2 * columns()};
-  }
+  PatchDicer make_dicer(const DiceView& view) const { return {patch, at, view}; }
+  // Made for the corners of facets.
+  PatchTangents tangents_of_corners() const;
+
+ private:
+  [[gnu::noinline]] void project_held();
 };
 
 }  // namespace spanline

@@ -215,10 +215,8 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) 
     if (!PatchGrids::takes(job)) {
       return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", reader_.instance_index()};
     }
-    PatchDicer dicer(job.patch, grids_.view(reader_.projection()));
+    PatchDicer dicer = job.make_dicer(grids_.view(reader_.projection()));
     job.dicer = &dicer;
-    const PatchTangents tangents(job.shape, job.normal_grid());
-    job.tangents = &tangents;
     if (grids_.dice(job, face)) return {};
     const std::int32_t lines = grids_.bottom() - top_;
     if (lines == 1) {

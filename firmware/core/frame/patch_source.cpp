@@ -54,9 +54,9 @@ bool PatchSource::lacks_vertices(std::uint32_t count) {
 bool PatchSource::dice(const FacetReader& reader, const PatchLook& look) {
   PatchJob job(reader, look, {top_, bottom_, screen_.width});
   if (job.nothing) return true;
-  PatchDicer dicer(job.patch, DiceView(reader.projection(), screen_, p_.tolerance));
+  PatchDicer dicer = job.make_dicer(DiceView(reader.projection(), screen_, p_.tolerance));
   job.dicer = &dicer;
-  const PatchTangents tangents(job.shape, job.normal_grid());
+  const PatchTangents tangents = job.tangents_of_corners();
   job.tangents = &tangents;
   const std::uint32_t two_rows = 2 * (dicer.columns() + 1), all = p_.vertices.capacity();
   if (used_ + two_rows > all) {
@@ -132,7 +132,7 @@ bool PatchSource::strip(const PatchJob& job, Row& above, Row& below) {
   for (; cut != 0; cut &= cut - 1) {
     if (!add_cut(job, above, below, static_cast<std::uint32_t>(std::countr_zero(cut)))) return false;
   }
-  if (!job.look.gouraud) colour(job, above.index, first_facet);
+  if (!job.look.gouraud) colour(job, above, below, first_facet);
   return true;
 }
 
@@ -269,13 +269,16 @@ void PatchSource::take_corners(const PatchJob& job, const Row& row, std::uint32_
   b.color = as_color(normals.at(column + 1));
 }
 
-// Lights the facets from `first` on, of the strip below row `row`, by the normals at their middles.
-void PatchSource::colour(const PatchJob& job, std::uint32_t row, std::uint16_t first) {
+// Lights the facets from `first` on, of the strip between the rows; their corners are stepped to again.
+void PatchSource::colour(const PatchJob& job, const Row& above, const Row& below, std::uint16_t first) {
   if (first > count_) return;
-  const NormalRow normals(*job.tangents, 2 * row + 1);
+  const FacetNormals normals(job.reader.matrix());
   for (std::uint32_t i = first; i <= count_; ++i) {
     DicedFacet& facet = p_.facets[i];
-    const Normal10 normal = normals.at(2 * (facet.part / 2u % kMaxSteps) + 1);
+    const std::uint32_t column = facet.part / 2u % kMaxSteps;
+    const auto vertex = [&](const Row& row, std::uint32_t at) { return job.dicer->vertex(row.grid, at); };
+    const Normal10 normal =
+        normals.of(vertex(above, column), vertex(above, column + 1), vertex(below, column + 1), vertex(below, column));
     const bool flip = job.look.two_sided && !shows_front(facet, job.reader.mirrored());
     facet.payload = flat_payload(job.look.format, job.look.lights->shade(normal, *job.look.material, flip));
   }

@@ -129,7 +129,7 @@ class PatchSource {
   add_cut(const PatchJob& job, const Row& above, const Row& below, std::uint32_t column);
   std::uint32_t clip(const PatchJob& job, const Row& above, const Row& below, std::uint32_t column);
   static void take_corners(const PatchJob& job, const Row& row, std::uint32_t column, ClipVertex& a, ClipVertex& b);
-  void colour(const PatchJob& job, std::uint32_t row, std::uint16_t first);
+  void colour(const PatchJob& job, const Row& above, const Row& below, std::uint16_t first);
   bool lacks_facet();
   bool lacks_vertices(std::uint32_t count);
   bool lacks(const Shortage& pool, std::uint32_t count);

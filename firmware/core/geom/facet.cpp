@@ -63,6 +63,19 @@ void FacetReader::enter_instance(std::uint16_t instance, std::uint16_t first_fac
   if (!on_screen()) matrix_ = compose(*camera_, this->instance().transform, mesh());
 }
 
+void FacetReader::control_points(ClipPoint (&out)[4][4]) const {
+  const Position* const positions = mesh().positions.data();
+  const std::uint16_t* corner = face_.corners.data();
+  const auto take = [&](const auto& to_clip) {
+    for (ClipPoint* p = &out[0][0]; p != &out[0][0] + 16; ++p) *p = to_clip(positions[*corner++]);
+  };
+  if (matrix_.fits()) {
+    take(ClipRows(matrix_));
+  } else {
+    take(matrix_);
+  }
+}
+
 ScreenPoint FacetReader::compute(std::uint16_t vertex) const {
   const Position& p = mesh().positions[vertex];
   ScreenPoint out;

@@ -59,6 +59,7 @@ class FacetReader {
   // The last face of the current instance.
   std::uint16_t last_face() const { return static_cast<std::uint16_t>(first_face_ + mesh().face_count - 1); }
   const Projection& projection() const { return projection_; }
+  const ClipMatrix& matrix() const { return matrix_; }
   bool mirrored() const { return !on_screen() && matrix_.mirrored; }
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
   // The face that the current one is surface detail of; kNoFace where it is none.
@@ -72,6 +73,7 @@ class FacetReader {
   // space, four rows of four.
   bool is_patch() const { return mesh().of_patches(); }
   ClipPoint control_point(std::uint32_t index) const { return clip_point(face_.corners[index]); }
+  void control_points(ClipPoint (&out)[4][4]) const;
 
   // Whether the current face crosses a plane of the view, so that read() hands out other corners than its own.
   bool clipped() const { return face_.outside_any != 0; }

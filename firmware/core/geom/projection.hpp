@@ -44,7 +44,7 @@ struct Projection {
   std::int32_t centre_x;  // 28.4 px
   std::int32_t centre_y;
 
-  static constexpr std::int32_t kWellAhead = 1 << 10;  // Q16.16
+  static constexpr std::int32_t kWellAhead = 1 << 10, kRounding = 4;  // Q16.16
 
   Projection(const CameraRecord& camera, const Screen& screen)
       : near_w(camera.near_plane.raw),
@@ -70,14 +70,16 @@ struct Projection {
     return between_sides(p, static_cast<std::uint32_t>(p.w));
   }
   // Whether outcode() is 0 and there is a little space to the guard band's sides: points on the screen of which this is
-  // true differ by less than 2^15 units of 28.4 each way.
+  // true differ by less than 2^15 units of 28.4 each way; and
+  // to the near plane, as rounding is to stay inside.
   bool well_inside(const ClipPoint& p) const {
-    const std::int32_t nearest = near_w > kWellAhead ? near_w : kWellAhead;
+    const std::int32_t ahead = (near_w < INT32_MAX - kRounding ? near_w : INT32_MAX - kRounding) + kRounding;
+    const std::int32_t nearest = ahead > kWellAhead ? ahead : kWellAhead;
     if (p.w < nearest || p.w > far_w) return false;
     return between_sides(p, static_cast<std::uint32_t>(p.w - (p.w >> 8)));
   }
   // What is true of all corners of a box is so of what lies between them, as far as it matters: rounding takes less
-  // than 4 units, of at least kWellAhead >> 8.
+  // than kRounding units, of at least kWellAhead >> 8.
   bool well_inside(const PositionBox& box, const ClipRows& to_clip) const;
   bool well_inside(Slice<const Position> positions, const ClipRows& to_clip) const;
   // Places positions inside all planes one after another.

@@ -30,8 +30,8 @@ inline constexpr CurvedPicture kCurves[] = {
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
 inline constexpr CurvedPicture kPatches[] = {
-    {"patches", &patches::scene, &patches::camera, 0x88ca5549},
-    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0xdc0c9949},
+    {"patches", &patches::scene, &patches::camera, 0x8cacab33},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x0406505d},
 };
 inline constexpr CurvedPicture kSmoothPatches[] = {
     {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe1bedb4c}};
