@@ -97,6 +97,25 @@ TEST(PatchInvariance, TheEdgeWalkerDrawsBothSidesTheSame) {
       10, 30, 1600);
 }
 
+// Two patches that are nearly plane pierce each other: few cells, with edges that are begun more than once.
+TEST(PatchInvariance, TheEdgeWalkerDrawsTallCellsFromBothSidesTheSame) {
+  std::string vertices, patches[2];
+  for (int i = 0; i < 32; ++i) {
+    const int across = i % 4 * 10, along = i / 4 % 4 * 10, off = i % 5 == 0 ? 1 : 0;
+    const int y = i < 16 ? along : 15 + off, z = i < 16 ? off : along - 15;
+    vertices +=
+        (i == 0 ? "[" : ",[") + std::to_string(across) + "," + std::to_string(y) + "," + std::to_string(z) + "]";
+    patches[i / 16] += (i % 16 == 0 ? "" : ",") + std::to_string(i);
+  }
+  expect_same_by_edges(
+      scene_of(
+          R"({"materials":[{"name":"m","color":[200,90,50],"shading":"flat"}],"meshes":[{"name":"p","vertices":[)" +
+          vertices + R"(],"patches":[[)" + patches[0] + "],[" + patches[1] +
+          R"(]]}],"instances":[{"mesh":"p","material":"m"}],)"
+          R"("lights":[{"direction":[0.4,-0.8,-0.5],"intensity":0.75}]})"),
+      11, 60);
+}
+
 TEST(PatchInvariance, TheEdgeWalkerDrawsTheSameGouraud) {
   // One light and two materials; two lights, turned and stretched, and no ambient light, so that much of it is black.
   expect_same_by_edges(
