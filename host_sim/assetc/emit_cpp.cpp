@@ -11,7 +11,7 @@
 namespace spanline::host {
 namespace {
 
-constexpr const char* kIncludes = "#include <cstdint>\n\n#include \"core/scene/format.hpp\"\n\n";
+constexpr const char* kIncludes = "#include <cstdint>\n\n#include \"core/scene/scene_view.hpp\"\n\n";
 
 std::string declarations(const CompiledScene& scene) {
   Fx16 target[3];
@@ -30,6 +30,7 @@ std::string declarations(const CompiledScene& scene) {
          "know.\n"
       << "inline constexpr spanline::Fx16 kOrigins[][3] = {" << origins << "};\n"
       << "extern const spanline::SceneRecord scene;\n"
+      << "extern const spanline::SceneView view;  // of it\n"
       << "extern const spanline::CameraRecord camera;\n";
   return out.str();
 }
@@ -57,7 +58,9 @@ std::string emit_source(const CompiledScene& scene, const std::string& name, con
   } else {
     out += "#include \"" + header + "\"\n\nnamespace " + name + " {\n";
   }
-  return out + emit_records(scene.record(), scene.camera()) + "\n}  // namespace " + name + "\n";
+  return out + emit_records(scene.record(), scene.camera()) +
+         "\nconstinit const spanline::SceneView view = spanline::SceneView::of_compiled(scene);\n\n}  // namespace " +
+         name + "\n";
 }
 
 TableSizes table_sizes(const CompiledScene& scene) {

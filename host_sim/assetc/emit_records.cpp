@@ -132,7 +132,7 @@ std::string emit_records(const SceneRecord& scene, const CameraRecord& camera) {
     return "{{" + lights + "}}";
   });
   out << "\n}  // namespace\n\n";
-  out << "constinit const spanline::SceneRecord scene = {\n    kMeshes, kInstances, kMaterials, "
+  out << "constexpr spanline::SceneRecord scene = {\n    kMeshes, kInstances, kMaterials, "
       << slice_of("kLights", scene.lights.empty()) << ",\n    "
       << braces(scene.ambient[0], scene.ambient[1], scene.ambient[2]) << ", {" << rgb(scene.background.top) << ", "
       << rgb(scene.background.bottom) << "}, " << slice_of("kReaches", scene.reaches.empty()) << "};\n\n";

@@ -69,6 +69,8 @@ namespace {
 constexpr std::uint32_t kPadding = 16;  // between pools, at most
 
 constexpr FrameOptions kOfMeshes{.statistics = true, .walker = Walker::edges};
+constexpr FrameOptions kPlain{.walker = Walker::edges, .paint = Paint::flat_words, .plain = true};
+constexpr FrameOptions kPlainSmooth{.walker = Walker::edges, .paint = Paint::smooth_words, .plain = true};
 constexpr FrameOptions kOfBands{.statistics = true, .walker = Walker::edges, .bands = true};
 constexpr FrameOptions kOfPatches{.statistics = true, .patches = true, .walker = Walker::edges};
 
@@ -83,6 +85,15 @@ std::optional<Statistics> needs_of_frame(const SceneView& view, const CameraReco
   }
   if (!frame.status().ok()) return std::nullopt;
   return frame.statistics();
+}
+
+// Whether a frame of plain scenes takes it: kOptions are of one.
+template <FrameOptions kOptions>
+bool is_plain(const SceneView& view, const CameraRecord& camera, const Screen& screen) {
+  constexpr bool kSmooth = kOptions.paint == Paint::smooth_words;
+  HostMemory memory(screen, screen.height, {.gouraud = kSmooth});
+  Frame<kOptions> frame(memory.storage());
+  return !frame.prepare(view, camera, {0, screen.height}).empty();
 }
 
 // The materials whose faces are smooth, each of which has a table.
@@ -110,6 +121,7 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   const Screen screen{description.width, description.height};
   std::uint32_t edges = 0, grid = 0;
   std::size_t materials = 1;
+  bool plain = true;
   SceneView view;
   for (std::int64_t number = first; number <= last; ++number) {
     scene.show(number);
@@ -119,6 +131,8 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
     const auto needed = view.has_patches() ? needs_of_frame<kOfPatches>(view, scene.camera(), screen)
                                            : needs_of_frame<kOfMeshes>(view, scene.camera(), screen);
     if (!needed) return std::nullopt;
+    plain = plain && (has_gouraud(scene) ? is_plain<kPlainSmooth>(view, scene.camera(), screen)
+                                         : is_plain<kPlain>(view, scene.camera(), screen));
     edges = std::max(edges, needed->max_edges);
     grid = std::max(grid, needed->max_patch_grid);
   }
@@ -134,6 +148,7 @@ std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t firs
   }
   budget.edges = static_cast<std::uint16_t>(edges);
   budget.gouraud = has_gouraud(scene);
+  budget.plain = plain && !view.has_patches();
   // Of closed meshes half the faces are seen; where they are few, all may pierce others, of many most do not.
   budget.planes = cache_for(view.face_count() / 2, kMostPlanes);
   budget.looks = static_cast<std::uint16_t>(view.has_patches() ? kMostLooks
@@ -222,6 +237,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("looks", budget.looks);
     field("tables", budget.tables);
     text += "    .planes = " + std::to_string(budget.planes);
+    if (budget.plain && budget.band_vertices == 0) text += ",\n    .plain = true";
   } else {
     field("polygons", budget.polygons);
     field("edges", budget.edges);

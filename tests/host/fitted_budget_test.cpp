@@ -76,6 +76,8 @@ TEST(FittedBudget, KnowsWhatTheEdgeWalkerDraws) {
   EXPECT_EQ(budget->facets, 992);
   EXPECT_EQ(budget->vertices, scene.meshes().front().positions.size());
   EXPECT_EQ(budget->planes, 15);
+  EXPECT_TRUE(budget->plain);
+  EXPECT_NE(emit_budget(*budget, "tea", "frame 0").find(".plain = true};"), std::string::npos);
   CompiledScene cube = compile(read_scene(std::string(SPANLINE_ASSETS) + "/scenes/S1.json"));
   cube.triangulate();
   EXPECT_EQ(fitted_edge_budget(cube, 0, 0)->planes, 7);  // all six that are seen, which others could pierce

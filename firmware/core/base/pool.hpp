@@ -38,7 +38,7 @@ class Pool {
   constexpr PoolRef<T> ref() { return {items_, N}; }
 
  private:
-  T items_[static_cast<std::size_t>(N) + 1];
+  T items_[static_cast<std::size_t>(N) + 1] = {};
 };
 
 // Free storage over a pool, threaded through the block's own link field. Blocks never used before are handed out in

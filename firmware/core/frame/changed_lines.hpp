@@ -73,7 +73,7 @@ class ChangedLines {
 // Where every line is drawn in every frame.
 struct AllLines {
   static constexpr bool kKeepsGeometry = false;
-  AllLines(const ChangesStorage&, const Screen&) {}
+  constexpr AllLines(const ChangesStorage&, const Screen&) {}
   void begin_frame(const SceneView&, const CameraRecord&) {}
   Band next(Band rest) const { return rest; }
   void drawn(std::uint16_t) {}

@@ -52,4 +52,9 @@ class CurveLayer {
   CurveOverlay* overlay_;
 };
 
+// Where scenes have no curves.
+struct NoCurveLayer {
+  constexpr NoCurveLayer(CurveOverlay*, const Screen&) {}
+};
+
 }  // namespace spanline

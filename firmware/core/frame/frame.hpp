@@ -7,8 +7,6 @@
 
 namespace spanline {
 
-using FrameOptions = VsgOptions;
-
 // The options that go with a budget: its walker, and patches and layers where there is room for them.
 constexpr FrameOptions options_for(const Budget& budget) {
   const bool points = budget.point_lines != 0, patches = points || budget.patch_facets != 0 || budget.patch_grid != 0;
@@ -21,7 +19,8 @@ constexpr FrameOptions options_for(const Budget& budget) {
           .changes = budget.kept_instances != 0,
           .paint = !words           ? Paint::any
                    : budget.gouraud ? Paint::smooth_words
-                                    : Paint::flat_words};
+                                    : Paint::flat_words,
+          .plain = budget.plain && words && !patches && budget.band_vertices == 0 && budget.kept_instances == 0};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>
@@ -167,20 +166,11 @@ class Frame {
   [[no_unique_address]] std::conditional_t<kOptions.changes, ChangedLines, AllLines> changes_;
 };
 
-// With the edge walker alone: scenes of meshes, or with FrameOptions::patches of patches.
+// With the edge walker alone.
 template <FrameOptions kOptions>
-using MeshesOf = std::conditional_t<kOptions.bands, BandLines<kOptions.taps, kOptions.paint>,
-                                    MeshLines<kOptions.taps, kOptions.paint>>;
-template <FrameOptions kOptions>
-using EdgeFrame =
-    MeshFrame<std::conditional_t<kOptions.patches, PatchLines<kOptions.taps, kOptions.paint>, MeshesOf<kOptions>>,
-              kOptions.statistics, kOptions.changes>;
-template <FrameOptions kOptions>
-requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public EdgeFrame<kOptions> {
-  using Base = EdgeFrame<kOptions>;
-
+requires(kOptions.walker == Walker::edges) class Frame<kOptions> : public MeshFrame<kOptions> {
  public:
-  using Base::Base;
+  using MeshFrame<kOptions>::MeshFrame;
 };
 
 }  // namespace spanline

@@ -1,10 +1,8 @@
 // The body of Frame; include it only where a Frame with options of one's own is instantiated.
 #pragma once
 
-#include "core/frame/band_lines_impl.hpp"
 #include "core/frame/frame.hpp"
-#include "core/frame/mesh_lines_impl.hpp"
-#include "core/frame/patch_lines_impl.hpp"
+#include "core/frame/mesh_frame_impl.hpp"
 
 namespace spanline {
 

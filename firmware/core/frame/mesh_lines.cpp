@@ -72,6 +72,8 @@ namespace spanline {
 template class MeshLines<false>;
 template class MeshLines<false, Paint::flat_words>;
 template class MeshLines<false, Paint::smooth_words>;
+template class MeshLines<false, Paint::flat_words, true>;
+template class MeshLines<false, Paint::smooth_words, true>;
 
 template Status MeshLines<false>::begin(const SceneView&, const CameraRecord&, std::uint16_t, AllLines&);
 template Status MeshLines<false>::begin(const SceneView&, const CameraRecord&, std::uint16_t, ChangedLines&);
@@ -81,6 +83,10 @@ template Status MeshLines<false, Paint::flat_words>::begin(const SceneView&, con
                                                            ChangedLines&);
 template Status MeshLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
                                                              AllLines&);
+template Status MeshLines<false, Paint::flat_words, true>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                                 AllLines&);
+template Status MeshLines<false, Paint::smooth_words, true>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
+                                                                   AllLines&);
 template Status MeshLines<false, Paint::smooth_words>::begin(const SceneView&, const CameraRecord&, std::uint16_t,
                                                              ChangedLines&);
 

@@ -40,7 +40,7 @@ struct SpanTap {
 class FaceWords {
  public:
   FaceWords() = default;
-  explicit FaceWords(PoolRef<std::uint16_t> words) : words_(words) {}
+  constexpr explicit FaceWords(PoolRef<std::uint16_t> words) : words_(words) {}
 
   std::uint16_t capacity() const { return words_.capacity(); }
   std::uint16_t& operator[](FaceId face) { return words_[face]; }
@@ -85,7 +85,7 @@ class FaceWords {
 class FaceSlots {
  public:
   FaceSlots() = default;
-  explicit FaceSlots(PoolRef<std::uint8_t> slots) : slots_(slots) {}
+  constexpr explicit FaceSlots(PoolRef<std::uint8_t> slots) : slots_(slots) {}
 
   std::uint16_t capacity() const { return slots_.capacity(); }
   std::uint8_t& operator[](FaceId face) { return slots_[face]; }
@@ -133,11 +133,23 @@ Status beyond_view(std::uint32_t instance);
 // What a line lacked that was not walked whole.
 Status walker_shortage(const EdgeWalker& walker, bool overlaps, std::uint16_t line);
 
-template <bool kTaps, Paint kPaint = Paint::any>
+template <bool kTaps, Paint kPaint = Paint::any, bool kPlain = false>
 class MeshLines {
  public:
   MeshLines() = default;
-  MeshLines(const FrameStorage& storage);
+  constexpr MeshLines(const FrameStorage& storage)
+      : screen_(storage.screen),
+        points_(storage.mesh.walker.points),
+        levels_(storage.mesh.levels),
+        smooth_(storage.smooth, storage.screen.format),
+        words_(storage.mesh.faces),
+        slots_(storage.mesh.slots),
+        walker_(storage.mesh.walker, storage.screen) {
+    if constexpr (kPaint == Paint::any) {
+      if (storage.screen.format == PixelFormat::rgb565) found_ = smooth() ? Paint::smooth_words : Paint::flat_words;
+    }
+    points_.limit(VertexBuckets::kMostVertices);
+  }
 
   // Makes ready the lines from `top` on; costs nothing where they follow the line made last. Fails where the edge
   // walker cannot draw the scene: the status says which record, or which pool is too small. What has not moved by
@@ -163,14 +175,17 @@ class MeshLines {
   [[gnu::noinline]] void clear(std::uint16_t top, std::int32_t farthest);
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   PixelFormat format() const { return kPaint == Paint::any ? screen_.format : PixelFormat::rgb565; }
-  bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
+  constexpr bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
   void make_look(FaceId face, FaceLook& look);
   bool turn_to(FaceId face, FaceLook& flat);
-  const LightRig& lights(const InstanceCursor& at) {
+  using Lights = std::conditional_t<kPlain, PlainLight, LightRig>;
+  const Lights& lights(const InstanceCursor& at) {
     return lights_.of(scene_.scene(), at.index(), at.instance().transform);
   }
-  std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material,
-                           const LightRig& rig) const;
+  const std::uint16_t* colors(std::uint16_t material) {
+    return smooth_.template colors<kPlain>(material, scene_.scene());
+  }
+  std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material);
   bool give_up(bool overlaps);
   bool project(const InstanceCursor& at);
   void cull(const InstanceCursor& at);
@@ -190,7 +205,7 @@ class MeshLines {
   FaceSlots slots_;  // in their place where faces may be smooth
   DepthRows rows_;
   SmoothFaces smooth_faces_;
-  KeptLights lights_;
+  Kept<Lights> lights_;
   EdgeWalker walker_;
   Paint found_ = Paint::any;  // where it is not decided beforehand
   std::uint16_t line_ = 0;    // to be made next

@@ -11,8 +11,8 @@ namespace spanline {
 
 // Which paint it is, is asked where spans of several faces or looks stop the walk, so that only the walk itself is
 // there three times.
-template <bool kTaps, Paint kPaint>
-struct MeshLines<kTaps, kPaint>::Sink {
+template <bool kTaps, Paint kPaint, bool kPlain>
+struct MeshLines<kTaps, kPaint, kPlain>::Sink {
   MeshLines& mesh;
   Painter& painter;
   const SpanTap& tap;
@@ -39,7 +39,7 @@ struct MeshLines<kTaps, kPaint>::Sink {
     const auto make = [this](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
     const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);
     if (look.smooth() && !mesh.brush_.knows(face, look)) {
-      mesh.brush_.dip(look.material, mesh.smooth_.colors(look.material, mesh.scene_.scene()));
+      mesh.brush_.dip(look.material, mesh.colors(look.material));
     }
   }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
@@ -81,8 +81,8 @@ struct MeshLines<kTaps, kPaint>::Sink {
   }
 };
 
-template <bool kTaps, Paint kPaint>
-struct MeshLines<kTaps, kPaint>::Planes {
+template <bool kTaps, Paint kPaint, bool kPlain>
+struct MeshLines<kTaps, kPaint, kPlain>::Planes {
   MeshLines& mesh;
 
   DepthPlane operator()(FaceId face) const { return mesh.rows_.plane(face - 1u, mesh.points_); }
@@ -90,25 +90,10 @@ struct MeshLines<kTaps, kPaint>::Planes {
   FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const { return mesh.rows_.nearer(a, b, cache); }
 };
 
-template <bool kTaps, Paint kPaint>
-[[gnu::cold]] MeshLines<kTaps, kPaint>::MeshLines(const FrameStorage& storage)
-    : screen_(storage.screen),
-      points_(storage.mesh.walker.points),
-      levels_(storage.mesh.levels),
-      smooth_(storage.smooth, storage.screen.format),
-      words_(storage.mesh.faces),
-      slots_(storage.mesh.slots),
-      walker_(storage.mesh.walker, storage.screen) {
-  if constexpr (kPaint == Paint::any) {
-    if (storage.screen.format == PixelFormat::rgb565) found_ = smooth() ? Paint::smooth_words : Paint::flat_words;
-  }
-  points_.limit(VertexBuckets::kMostVertices);
-}
-
-template <bool kTaps, Paint kPaint>
+template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename Changes>
-Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
-                                       Changes& changes) {
+Status MeshLines<kTaps, kPaint, kPlain>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
+                                               Changes& changes) {
   ready_ = ready_ && changes.still() && goes_on(scene, camera, top);
   Status status = ready_ ? Status{} : take(scene, camera);
   if (ready_ || !status.ok()) return status;
@@ -123,6 +108,12 @@ Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
     }
     if (moved) cull(at);
     walker_.vertices(at.first_vertex()).file(at.mesh().positions.size());
+    if constexpr (kPlain) {
+      if (!lights(at).fits() || (!smooth() && at.mesh().face_normals.empty())) {
+        status = bad_argument("plain", "transform or normals", 0, at.index());
+        return status;
+      }
+    }
     if (moved) smooth() ? light_vertices(at) : light_faces(at);
   }
   changes.geometry_kept();
@@ -132,18 +123,19 @@ Status MeshLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 }
 
 // Whether the lines from `top` on follow those made last.
-template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::goes_on(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) const {
-  return top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_;
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool MeshLines<kTaps, kPaint, kPlain>::goes_on(const SceneView& scene, const CameraRecord& camera,
+                                               std::uint16_t top) const {
+  return top != 0 && top == line_ && &scene.scene() == &scene_.scene() && same_camera(camera, camera_);
 }
 
 // Forgets the frame before. Apart, for the sake of the stack: what is called from begin() goes deepest.
-template <bool kTaps, Paint kPaint>
-[[gnu::cold]] void MeshLines<kTaps, kPaint>::clear(std::uint16_t top, std::int32_t farthest) {
-  smooth_faces_ = {};
+template <bool kTaps, Paint kPaint, bool kPlain>
+[[gnu::cold]] void MeshLines<kTaps, kPaint, kPlain>::clear(std::uint16_t top, std::int32_t farthest) {
   lights_.forget();
-  smooth_.clear();
   if (smooth()) {
+    smooth_faces_.count = 0;
+    smooth_.clear();
     slots_[0] = 0;
     brush_ = SmoothBrush(smooth_.looks(), {&slots_[0]});
   }
@@ -153,8 +145,8 @@ template <bool kTaps, Paint kPaint>
 }
 
 // Makes it the scene to draw; fails where the edge walker cannot, or not with the pools it has.
-template <bool kTaps, Paint kPaint>
-[[gnu::cold]] Status MeshLines<kTaps, kPaint>::take(const SceneView& scene, const CameraRecord& camera) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+[[gnu::cold]] Status MeshLines<kTaps, kPaint, kPlain>::take(const SceneView& scene, const CameraRecord& camera) {
   scene_ = scene;
   camera_ = camera;
   if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
@@ -167,15 +159,19 @@ template <bool kTaps, Paint kPaint>
   if (smooth() && scene.vertex_count() > levels_.capacity()) {
     return pool_exhausted("levels", 0, scene.vertex_count(), levels_.capacity());
   }
-  if (smooth()) {
-    if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;
+  if constexpr (kPlain) {
+    return scene.not_plain() == nullptr ? Status{} : bad_argument("plain", scene.not_plain());
+  } else {
+    if (smooth()) {
+      if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;
+    }
+    return check_meshes(scene);
   }
-  return check_meshes(scene);
 }
 
 // How a face looks in a smooth scene, where its word is not a colour.
-template <bool kTaps, Paint kPaint>
-void MeshLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void MeshLines<kTaps, kPaint, kPlain>::make_look(FaceId face, FaceLook& look) {
   const SmoothFaces& of = smooth_faces_;
   if (std::uint32_t{face} - of.first >= of.count) [[unlikely]] {
     if (!turn_to(face, look)) return;
@@ -189,14 +185,14 @@ void MeshLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
     look = {plane, face, of.material};
     return;
   }
-  const std::uint16_t* const colors = smooth_.colors(of.material, scene_.scene());
+  const std::uint16_t* const colors = this->colors(of.material);
   brush_.dip(of.material, colors);
   look = FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)], face);
 }
 
 // The face and its group become the faces at hand; false where they are flat, and look so.
-template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool MeshLines<kTaps, kPaint, kPlain>::turn_to(FaceId face, FaceLook& flat) {
   InstanceCursor at(scene_.scene());
   at.to_face(face - 1u);
   const MeshRecord& mesh = at.mesh();
@@ -206,7 +202,7 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   if (material.shading != MaterialRecord::kGouraud) {
-    flat = FaceLook::flat(flat_color(at, mesh_face, material, lights(at)), face);
+    flat = FaceLook::flat(flat_color(at, mesh_face, material), face);
     return false;
   }
   const std::uint32_t vertex = at.first_vertex() + 1;
@@ -220,19 +216,24 @@ bool MeshLines<kTaps, kPaint>::turn_to(FaceId face, FaceLook& flat) {
 }
 
 // The colour of a face drawn flat.
-template <bool kTaps, Paint kPaint>
-std::uint16_t MeshLines<kTaps, kPaint>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
-                                                   const MaterialRecord& material, const LightRig& rig) const {
+template <bool kTaps, Paint kPaint, bool kPlain>
+std::uint16_t MeshLines<kTaps, kPaint, kPlain>::flat_color(const InstanceCursor& at, std::uint32_t mesh_face,
+                                                           const MaterialRecord& material) {
   const std::uint16_t first_corner = at.mesh().corners[3 * mesh_face];
-  const Rgb8 color = material.shading == MaterialRecord::kUnlit
-                         ? material.color
-                         : facet_color(at.mesh(), mesh_face, first_corner, material, rig, false);
-  return flat_payload(format(), color);
+  if constexpr (kPlain) {
+    const LightRig::One light = lights(at).on(material);
+    return lit_rgb565_wire(material.color, light.sum(facet_normal(at.mesh(), mesh_face, first_corner)));
+  } else {
+    const Rgb8 color = material.shading == MaterialRecord::kUnlit
+                           ? material.color
+                           : facet_color(at.mesh(), mesh_face, first_corner, material, lights(at), false);
+    return flat_payload(format(), color);
+  }
 }
 
 // Puts the instance's vertices on the screen. False where one lies out of the view, or fronts have become backs.
-template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool MeshLines<kTaps, kPaint, kPlain>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
   if (matrix.mirrored || !matrix.fits()) return false;
   rows_.hold(matrix);
@@ -250,15 +251,15 @@ bool MeshLines<kTaps, kPaint>::project(const InstanceCursor& at) {
 }
 
 // Culls the instance's faces and marks the vertices of those that are left.
-template <bool kTaps, Paint kPaint>
-void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void MeshLines<kTaps, kPaint, kPlain>::cull(const InstanceCursor& at) {
   const auto first = static_cast<FaceId>(at.first_face() + 1u);
   smooth() ? cull(at, slots_.cull(first)) : cull(at, words_.cull(first));
 }
 
-template <bool kTaps, Paint kPaint>
+template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename Culled>
-void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
+void MeshLines<kTaps, kPaint, kPlain>::cull(const InstanceCursor& at, Culled faces) {
   const ScreenXY* const points = &points_[at.first_vertex() + 1];
   VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
   const std::uint16_t* corner = at.mesh().corners.data();
@@ -276,33 +277,33 @@ void MeshLines<kTaps, kPaint>::cull(const InstanceCursor& at, Culled faces) {
 }
 
 // Gives the faces that are drawn their colours.
-template <bool kTaps, Paint kPaint>
-void MeshLines<kTaps, kPaint>::light_faces(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void MeshLines<kTaps, kPaint, kPlain>::light_faces(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
-  const LightRig& rig = lights(at);
-  const bool quick = rig.quick() && !mesh.face_normals.empty() && format() == PixelFormat::rgb565;
-  const LightRig::One one = quick ? rig.one() : LightRig::One{};
+  const auto& rig = lights(at);
+  const bool quick = kPlain || (rig.quick() && !mesh.face_normals.empty() && format() == PixelFormat::rgb565);
   const std::uint32_t before = at.first_face() + 1u;
   for (const FaceGroup& group : mesh.groups) {
     const MaterialRecord& material = scene_.scene().materials[material_of(at.instance(), group)];
     const auto first = static_cast<FaceId>(before + group.first_face);
-    if (quick && material.shading != MaterialRecord::kUnlit) {
-      words_.color(first, group.face_count,
-                   [one, color = material.color, normals = mesh.face_normals.data() + group.first_face](
-                       std::uint32_t face) { return lit_rgb565_wire(color, one.sum(normals[face])); });
+    if (quick) {
+      words_.color(
+          first, group.face_count,
+          [light = rig.on(material), color = material.color, normals = mesh.face_normals.data() + group.first_face](
+              std::uint32_t face) { return lit_rgb565_wire(color, light.sum(normals[face])); });
     } else {
       words_.color(first, group.face_count,
-                   [&](std::uint32_t face) { return flat_color(at, group.first_face + face, material, rig); });
+                   [&](std::uint32_t face) { return flat_color(at, group.first_face + face, material); });
     }
   }
 }
 
 // Gives the vertices of faces that are drawn their brightness.
-template <bool kTaps, Paint kPaint>
-void MeshLines<kTaps, kPaint>::light_vertices(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void MeshLines<kTaps, kPaint, kPlain>::light_vertices(const InstanceCursor& at) {
   const MeshRecord& mesh = at.mesh();
   if (mesh.vertex_normals.empty()) return;
-  const LightRig& rig = lights(at);
+  const auto& rig = lights(at);
   const VertexBuckets::Mesh vertices = walker_.vertices(at.first_vertex());
   Brightness* const level = &levels_[at.first_vertex() + 1];
   const Normal10* const normal = mesh.vertex_normals.data();
@@ -311,15 +312,15 @@ void MeshLines<kTaps, kPaint>::light_vertices(const InstanceCursor& at) {
       if (vertices.marked(v)) level[v] = brightness(normal[v]);
     }
   };
-  if (rig.single()) {
+  if (kPlain || rig.single()) {
     each([one = rig.one()](const Normal10& n) { return LightRig::brightness(one.sum(n)); });
-  } else {
+  } else if constexpr (!kPlain) {
     each([&rig](const Normal10& n) { return LightRig::brightness(rig.sum(n, false)); });
   }
 }
 
-template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool MeshLines<kTaps, kPaint, kPlain>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
@@ -337,15 +338,15 @@ bool MeshLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const 
   return true;
 }
 
-template <bool kTaps, Paint kPaint>
-bool MeshLines<kTaps, kPaint>::give_up(bool overlaps) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool MeshLines<kTaps, kPaint, kPlain>::give_up(bool overlaps) {
   ready_ = false;
   overlaps_short_ = overlaps;
   return false;
 }
 
-template <bool kTaps, Paint kPaint>
-[[gnu::cold]] Status MeshLines<kTaps, kPaint>::shortage() const {
+template <bool kTaps, Paint kPaint, bool kPlain>
+[[gnu::cold]] Status MeshLines<kTaps, kPaint, kPlain>::shortage() const {
   return walker_shortage(walker_, overlaps_short_, line_);
 }
 

@@ -73,7 +73,7 @@ constexpr std::uint16_t looks_of(const Budget& budget) {
 template <std::uint16_t kLooks, std::uint16_t kTables, bool kSmooth>
 class SmoothPools {
  public:
-  SmoothStorage storage() { return {looks_.ref(), tables_.ref()}; }
+  constexpr SmoothStorage storage() { return {looks_.ref(), tables_.ref()}; }
 
  private:
   Pool<FaceLook, kLooks> looks_;
@@ -82,14 +82,14 @@ class SmoothPools {
 template <std::uint16_t kLooks, std::uint16_t kTables>
 class SmoothPools<kLooks, kTables, false> {
  public:
-  SmoothStorage storage() { return {}; }
+  constexpr SmoothStorage storage() { return {}; }
 };
 
 // Where the looks are pools of somebody else.
 template <std::uint16_t kTables>
 class SmoothPools<0, kTables, true> {
  public:
-  SmoothStorage storage() { return {{}, tables_.ref()}; }
+  constexpr SmoothStorage storage() { return {{}, tables_.ref()}; }
 
  private:
   Pool<ColorTable, kTables> tables_;
@@ -98,7 +98,7 @@ class SmoothPools<0, kTables, true> {
 template <Budget kBudget>
 class CurvePools {
  public:
-  void add_to(FrameStorage& storage) {
+  constexpr void add_to(FrameStorage& storage) {
     overlay_.use({pieces_.ref(), buckets_.ref(), strands_.ref(), masks_.ref()});
     storage.curves = &overlay_;
   }
@@ -115,7 +115,9 @@ class CurvePools {
 template <std::uint16_t kFacets, std::uint16_t kVertices, bool kNormals>
 class PatchMemory {
  public:
-  PatchStorage storage(std::uint32_t tolerance) { return {facets_.ref(), vertices_.ref(), normals_.ref(), tolerance}; }
+  constexpr PatchStorage storage(std::uint32_t tolerance) {
+    return {facets_.ref(), vertices_.ref(), normals_.ref(), tolerance};
+  }
 
  private:
   Pool<DicedFacet, kFacets> facets_;
@@ -125,14 +127,14 @@ class PatchMemory {
 template <std::uint16_t kVertices, bool kNormals>
 class PatchMemory<0, kVertices, kNormals> {
  public:
-  PatchStorage storage(std::uint32_t) { return {}; }
+  constexpr PatchStorage storage(std::uint32_t) { return {}; }
 };
 
 // The band of points.
 template <std::uint32_t kCells>
 class PointPools {
  public:
-  void add_to(FrameStorage& storage) { storage.points = {Slice<std::uint32_t>(cells_), {}}; }
+  constexpr void add_to(FrameStorage& storage) { storage.points = {Slice<std::uint32_t>(cells_), {}}; }
 
  private:
   std::uint32_t cells_[kCells];
@@ -140,14 +142,14 @@ class PointPools {
 template <>
 class PointPools<0> {
  public:
-  void add_to(FrameStorage&) {}
+  constexpr void add_to(FrameStorage&) {}
 };
 
 // What is known of the frame before.
 template <std::uint16_t kInstances, std::uint32_t kLines>
 class KeptMemory {
  public:
-  void add_to(FrameStorage& storage) { storage.changes = {instances_, lines_}; }
+  constexpr void add_to(FrameStorage& storage) { storage.changes = {instances_, lines_}; }
 
  private:
   KeptInstance instances_[kInstances];
@@ -156,7 +158,7 @@ class KeptMemory {
 template <std::uint32_t kLines>
 class KeptMemory<0, kLines> {
  public:
-  void add_to(FrameStorage&) {}
+  constexpr void add_to(FrameStorage&) {}
 };
 
 // The pools of one walker.
@@ -167,7 +169,7 @@ class SegmentPools {
   static constexpr std::uint16_t kBandLines = kBudget.band_lines == 0 ? kBudget.height : kBudget.band_lines;
 
  public:
-  void add_to(FrameStorage& storage) {
+  constexpr void add_to(FrameStorage& storage) {
     storage.facets = facets_.ref();
     storage.buckets = buckets_.ref();
     storage.vertices = vertices_.ref();
@@ -184,7 +186,7 @@ class SegmentPools {
     Pool<PolygonLook, kBudget.polygons> looks;
     Pool<ActiveSegment, kBudget.layers> aside;
     Pool<Layer, kBudget.layers> stack;
-    LayerStorage storage() { return {looks.ref(), aside.ref(), stack.ref()}; }
+    constexpr LayerStorage storage() { return {looks.ref(), aside.ref(), stack.ref()}; }
   };
 
   Pool<WaitingFacet, kBudget.facets> facets_;
@@ -204,7 +206,7 @@ class SegmentPools {
 template <Budget kBudget>
 class MeshPools {
  public:
-  void add_to(FrameStorage& storage) {
+  constexpr void add_to(FrameStorage& storage) {
     if constexpr (kBudget.patch_grid != 0) {
       storage.patches.grid = grid_.ref();
       storage.patches.tolerance = kBudget.patch_tolerance;
@@ -239,7 +241,7 @@ class MeshPools {
 template <Budget kBudget>
 class BandPools {
  public:
-  void add_to(FrameStorage& storage) {
+  constexpr void add_to(FrameStorage& storage) {
     LinePools& of = shared_.of_lines;
     storage.mesh.walker.points = {shared_.points, kPoints};
     storage.mesh.walker.edges[0] = of.edges.ref();
@@ -277,10 +279,10 @@ class BandPools {
 };
 
 struct NoPools {
-  void add_to(FrameStorage&) {}
+  constexpr void add_to(FrameStorage&) {}
 };
 struct NoCurves {  // not NoPools, so that neither takes room
-  void add_to(FrameStorage&) {}
+  constexpr void add_to(FrameStorage&) {}
 };
 
 template <Budget kBudget>
@@ -292,7 +294,7 @@ class FrameMemory {
   static_assert(kBudget.patch_grid <= GridVertex::kMost, "Budget::patch_grid is out of range");
 
  public:
-  FrameStorage storage() {
+  constexpr FrameStorage storage() {
     FrameStorage storage{{kBudget.width, kBudget.height, kBudget.format}, {}, {}, {}, {}, {}, {}, smooth_.storage()};
     segments_.add_to(storage);
     mesh_.add_to(storage);

@@ -1,6 +1,7 @@
 #include "core/geom/camera.hpp"
 
 #include <bit>
+#include <type_traits>
 
 #include "core/fx/bits.hpp"
 #include "core/fx/root.hpp"
@@ -53,10 +54,11 @@ const char* wrong_field(const CameraRecord& camera) {
     if (c > Fx16::from_int(2 * kMaxWorld) || c < Fx16::from_int(-2 * kMaxWorld)) return "eye";
   }
   for (const auto& row : camera.axes) {
-    std::int64_t square = 0;
-    for (const Fx30 c : row) square += shift_round(std::int64_t{c.raw} * c.raw, 30);
-    constexpr std::int64_t kSlack = Fx30::kOne >> 10;
-    if (square < Fx30::kOne - kSlack || square > Fx30::kOne + kSlack) return "axes";
+    std::int64_t square = 0;  // Q6.58
+    for (const Fx30 c : row) square += std::int64_t{c.raw} * c.raw >> 2;
+    constexpr std::int32_t kOne = 1 << 26, kSlack = kOne >> 10;
+    const std::int32_t off = static_cast<std::int32_t>(square >> 32) - kOne;
+    if (off < -kSlack || off > kSlack) return "axes";
   }
   if (camera.focal.raw <= 0 || camera.focal > Fx12::from_int(kMaxFocalPx)) return "focal";
   if (camera.near_plane.raw <= 0) return "near_plane";
@@ -101,6 +103,14 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
 [[gnu::cold]] Status check_camera(const CameraRecord& camera) {
   const char* const wrong = wrong_field(camera);
   return wrong == nullptr ? Status{} : bad_camera(wrong);
+}
+
+[[gnu::cold]] bool same_camera(const CameraRecord& a, const CameraRecord& b) {
+  static_assert(std::has_unique_object_representations_v<CameraRecord>, "so bytes tell");
+  const auto *x = reinterpret_cast<const std::uint8_t*>(&a), *y = reinterpret_cast<const std::uint8_t*>(&b);
+  const std::uint8_t* const end = x + sizeof(CameraRecord);
+  while (x != end && *x == *y) ++x, ++y;
+  return x == end;
 }
 
 [[gnu::cold]] ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh) {

@@ -18,4 +18,7 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
 // kMaxFocalPx, 0 < near < far. The status names the field.
 Status check_camera(const CameraRecord& camera);
 
+// Whether two are the same; a comparison in few bytes for what is asked once a band.
+bool same_camera(const CameraRecord& a, const CameraRecord& b);
+
 }  // namespace spanline

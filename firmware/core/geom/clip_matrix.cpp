@@ -32,8 +32,6 @@ PackedRow::PackedRow(const ClipMatrix& matrix, int row) : offset_(static_cast<st
   z_ = pack_halves(z.high, z.low);
 }
 
-ClipRows::ClipRows(const ClipMatrix& matrix) {
-  for (int i = 0; i < 3; ++i) rows_[i] = ClipRow(matrix, i);
-}
+ClipRows::ClipRows(const ClipMatrix& matrix) : rows_{{matrix, 0}, {matrix, 1}, {matrix, 2}} {}
 
 }  // namespace spanline

@@ -46,7 +46,7 @@ struct Projection {
 
   static constexpr std::int32_t kWellAhead = 1 << 10, kRounding = 4;  // Q16.16
 
-  Projection(const CameraRecord& camera, const Screen& screen)
+  constexpr Projection(const CameraRecord& camera, const Screen& screen)
       : near_w(camera.near_plane.raw),
         far_w(camera.far_plane.raw),
         centre_x(screen.width * (kSubpixels / 2)),

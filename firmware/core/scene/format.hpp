@@ -183,7 +183,7 @@ struct MeshRecord {
   Slice<const std::uint16_t> parents = {};  // of the surface detail
   PositionBox box = {};                     // around the positions, the smaller the better
 
-  bool of_patches() const { return !groups.empty() && groups[0].contour_count == FaceGroup::kPatches; }
+  constexpr bool of_patches() const { return !groups.empty() && groups[0].contour_count == FaceGroup::kPatches; }
 };
 
 // World = matrix * mesh + translation. Rows of the matrix are x, y, z; Q16.16.

@@ -270,19 +270,4 @@ Status SceneView::validate(const SceneRecord& scene, SceneView& view) {
   return {};
 }
 
-SceneView SceneView::of_compiled(const SceneRecord& scene) {
-  SceneView view;
-  view.scene_ = &scene;
-  for (const MaterialRecord& material : scene.materials) view.layered_ = view.layered_ || material.see_through();
-  for (const MeshRecord& mesh : scene.meshes) view.layered_ = view.layered_ || !mesh.parents.empty();
-  for (const InstanceRecord& instance : scene.instances) {
-    const MeshRecord& mesh = scene.meshes[instance.mesh];
-    view.face_count_ = static_cast<std::uint16_t>(view.face_count_ + mesh.face_count);
-    view.vertex_count_ = static_cast<std::uint16_t>(view.vertex_count_ + mesh.positions.size());
-    view.curve_count_ = static_cast<std::uint16_t>(view.curve_count_ + mesh.curves.size());
-    view.has_patches_ = view.has_patches_ || mesh.of_patches();
-  }
-  return view;
-}
-
 }  // namespace spanline

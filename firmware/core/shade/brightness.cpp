@@ -91,13 +91,29 @@ BrightnessPlane cell_brightness(const ScreenXY (&at)[4], const Brightness (&corn
   for (std::uint32_t i = 0; i <= table_mask_; ++i) tables_[i].material = FaceLook::kNoMaterial;
 }
 
+namespace {
+
+// How bright an entry of the table is: Q8.8, as LightRig sums light.
+constexpr std::uint32_t light_of_entry(std::uint32_t entry) {
+  constexpr std::uint32_t kLast = ColorTable::kEntries - 1;
+  return (entry * 256 + kLast / 2) / kLast;
+}
+
+}  // namespace
+
+[[gnu::cold]] void SmoothCache::fill_plain(ColorTable& table, std::uint16_t material, const SceneRecord& scene) {
+  table.material = material;
+  for (std::uint32_t i = 0; i < ColorTable::kEntries; ++i) {
+    table.colors[i] = lit_rgb565_wire(scene.materials[material].color, light_of_entry(i));
+  }
+}
+
 void SmoothCache::fill(ColorTable& table, std::uint16_t material, const SceneRecord& scene) {
   const Rgb8 color = scene.materials[material].color;
   const LightHue hue(scene);
   table.material = material;
-  constexpr std::uint32_t kLast = ColorTable::kEntries - 1;
-  for (std::uint32_t i = 0; i <= kLast; ++i) {
-    const std::uint32_t bright = (i * 256 + kLast / 2) / kLast;  // Q8.8, as LightRig sums light
+  for (std::uint32_t i = 0; i < ColorTable::kEntries; ++i) {
+    const std::uint32_t bright = light_of_entry(i);
     const auto lit = [&hue, bright](std::uint32_t channel, int number) {
       const std::uint32_t v = (channel * hue.in(number, bright) + 128) >> 8;
       return static_cast<std::uint8_t>(v < 255 ? v : 255);

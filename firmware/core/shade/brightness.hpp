@@ -94,7 +94,7 @@ class SmoothCache {
   static constexpr std::uint32_t kMostLooks = 254;  // that are used
 
   SmoothCache() = default;
-  SmoothCache(const SmoothStorage& storage, PixelFormat format)
+  constexpr SmoothCache(const SmoothStorage& storage, PixelFormat format)
       : looks_(storage.looks),
         tables_(storage.tables),
         table_mask_(std::bit_floor(storage.tables.capacity() + 1u) - 1u),
@@ -103,7 +103,7 @@ class SmoothCache {
     look_mask_ = std::bit_floor(looks_.capacity() + 1u) - 1u;
   }
 
-  bool on() const { return looks_.capacity() != 0; }
+  constexpr bool on() const { return looks_.capacity() != 0; }
   FaceLook* looks() const { return on() ? &looks_[0] : nullptr; }  // by the slots of faces
 
   // At the beginning of a frame.
@@ -133,14 +133,17 @@ class SmoothCache {
     return *look;
   }
   // Likewise a material's colours in the light of the scene.
+  template <bool kPlain = false>
   const std::uint16_t* colors(std::uint16_t material, const SceneRecord& scene) {
     ColorTable& table = tables_[material & table_mask_];
-    if (table.material != material) fill(table, material, scene);
+    if (table.material != material) kPlain ? fill_plain(table, material, scene) : fill(table, material, scene);
     return table.colors;
   }
 
  private:
   void fill(ColorTable& table, std::uint16_t material, const SceneRecord& scene);
+  // The same of a plain scene (Budget::plain).
+  static void fill_plain(ColorTable& table, std::uint16_t material, const SceneRecord& scene);
 
   PoolRef<FaceLook> looks_;
   PoolRef<ColorTable> tables_;

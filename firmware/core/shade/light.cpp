@@ -87,30 +87,53 @@ std::int32_t quotient(std::int64_t value, std::uint32_t divisor) {
   return value < 0 ? -result : result;
 }
 
-}  // namespace
-
-[[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
-    : scene_(&scene), grey_(is_grey(scene)), channel_(static_cast<std::uint8_t>(LightHue::channel(scene))) {
+// The cofactors of a transform; whether it is uniform.
+[[gnu::cold]] bool turn(const Transform& transform, Matrix& cofactors_of) {
   Matrix shape;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) shape[i][j] = transform.matrix[i][j].raw;
   }
   normalise(shape);
-  uniform_ = is_uniform(shape);
-  Matrix& turned = normal_matrix_;
-  cofactors(shape, turned);
-  const std::uint32_t length = square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0)));
-  std::int16_t* direction = direction_[0];
-  for (const LightRecord& light : scene.lights) {
-    for (int j = 0; j < 3; ++j) {
-      std::int64_t sum = 0;  // Q30 times 14 bits
-      for (int k = 0; k < 3; ++k) sum += std::int64_t{light.direction[k].raw} * turned[k][j];
-      // Where the length is left to each normal, the direction stays in units of the cofactors.
-      // Either way it is Q30, of a vector of at most sqrt(3).
-      const std::int32_t unit = uniform_ && length != 0 ? quotient(sum, length) : static_cast<std::int32_t>(sum >> 14);
-      *direction++ = static_cast<std::int16_t>((unit + unit / 511) >> 16);
-    }
+  cofactors(shape, cofactors_of);
+  return is_uniform(shape);
+}
+
+// How long the cofactors of a uniform transform are.
+std::uint32_t length_of(const Matrix& turned) {
+  return square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0)));
+}
+
+// A light's direction in the mesh, as LightRig::direction_ has it. Where the length is left to each normal, which 0
+// says, it stays in units of the cofactors. The end of what is written.
+[[gnu::cold]] std::int16_t* see(const LightRecord& light, const Matrix& turned, std::uint32_t length,
+                                std::int16_t* direction) {
+  for (int j = 0; j < 3; ++j) {
+    std::int64_t sum = 0;  // Q30 times 14 bits
+    for (int k = 0; k < 3; ++k) sum += std::int64_t{light.direction[k].raw} * turned[k][j];
+    // Either way it is Q30, of a vector of at most sqrt(3).
+    const std::int32_t unit = length != 0 ? quotient(sum, length) : static_cast<std::int32_t>(sum >> 14);
+    *direction++ = static_cast<std::int16_t>((unit + unit / 511) >> 16);
   }
+  return direction;
+}
+
+}  // namespace
+
+[[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
+    : scene_(&scene), grey_(is_grey(scene)), channel_(static_cast<std::uint8_t>(LightHue::channel(scene))) {
+  uniform_ = turn(transform, normal_matrix_);
+  const std::uint32_t length = uniform_ ? length_of(normal_matrix_) : 0;
+  std::int16_t* direction = direction_[0];
+  for (const LightRecord& light : scene.lights) direction = see(light, normal_matrix_, length, direction);
+}
+
+[[gnu::cold]] PlainLight::PlainLight(const SceneRecord& scene, const Transform& transform) {
+  Matrix turned;
+  fits_ = turn(transform, turned);
+  std::int16_t direction[3];
+  const LightRecord& light = scene.lights[0];
+  see(light, turned, length_of(turned), direction);
+  one_ = LightRig::One::of(direction, light.intensity[0], scene.ambient[0]);
 }
 
 // |cofactors * normal| in units of 2^14 / 512.

@@ -41,6 +41,10 @@ class LightRig {
     std::uint32_t intensity;  // Q8.8
     std::uint32_t ambient;    // Q8.23, and half a unit of Q8.8
 
+    static One of(const std::int16_t (&d)[3], std::uint32_t intensity, std::uint32_t ambient) {
+      return {-d[0], -d[1], -d[2], intensity, (ambient << 15) + (1u << 14)};
+    }
+    static constexpr One full() { return {0, 0, 0, 0, std::uint32_t{256} << 15}; }
     std::uint32_t most() const { return (ambient >> 15) + intensity; }  // of sum()
     // Q8.8.
     std::uint32_t sum(const Normal10& normal) const {
@@ -50,9 +54,11 @@ class LightRig {
     }
   };
   One one() const {  // where single()
-    const std::int16_t(&d)[3] = direction_[0];
-    return {-d[0], -d[1], -d[2], scene_->lights[0].intensity[channel_],
-            (std::uint32_t{scene_->ambient[channel_]} << 15) + (1u << 14)};
+    return One::of(direction_[0], scene_->lights[0].intensity[channel_], scene_->ambient[channel_]);
+  }
+  // What falls on a surface of the material where quick(): all of it is seen of one that is not lit.
+  One on(const MaterialRecord& material) const {
+    return material.shading == MaterialRecord::kUnlit ? One::full() : one();
   }
   // The brightness of such a sum.
   static Brightness brightness(std::uint32_t sum) {
@@ -75,22 +81,44 @@ class LightRig {
   std::int32_t normal_matrix_[3][3];       // cofactors, of 14 bits and a sign
 };
 
+// The light of a plain scene (Budget::plain) as one instance's mesh sees it: LightRig::one(), where quick().
+class PlainLight {
+ public:
+  constexpr PlainLight() : one_{}, fits_(false) {}
+  PlainLight(const SceneRecord& scene, const Transform& transform);
+
+  // Whether the instance is turned and scaled evenly.
+  bool fits() const { return fits_; }
+  bool quick() const { return true; }
+  bool single() const { return true; }
+  const LightRig::One& one() const { return one_; }
+  LightRig::One on(const MaterialRecord& material) const {
+    return material.shading == MaterialRecord::kUnlit ? LightRig::One::full() : one_;
+  }
+
+ private:
+  LightRig::One one_;
+  bool fits_;
+};
+
 // The rig of the instance that was asked for last.
-class KeptLights {
+template <typename Rig>
+class Kept {
  public:
   void forget() { instance_ = UINT32_MAX; }
   // Of the scene's instance of this number; `transform` is its.
-  [[gnu::noinline]] const LightRig& of(const SceneRecord& scene, std::uint32_t instance, const Transform& transform) {
+  [[gnu::noinline]] const Rig& of(const SceneRecord& scene, std::uint32_t instance, const Transform& transform) {
     if (instance_ != instance) {
       instance_ = instance;
-      new (&rig_) LightRig(scene, transform);  // in its place, not copied there
+      new (&rig_) Rig(scene, transform);  // in its place, not copied there
     }
     return rig_;
   }
 
  private:
-  LightRig rig_;
+  Rig rig_;
   std::uint32_t instance_ = UINT32_MAX;
 };
+using KeptLights = Kept<LightRig>;
 
 }  // namespace spanline

@@ -15,7 +15,8 @@ namespace spanline {
 class Painter {
  public:
   Painter() = default;
-  explicit Painter(const Screen& screen) : screen_(screen), line_bytes_(bytes_per_line(screen.format, screen.width)) {}
+  constexpr explicit Painter(const Screen& screen)
+      : screen_(screen), line_bytes_(bytes_per_line(screen.format, screen.width)) {}
 
   // Bytes that begin_line() needs.
   std::uint32_t line_bytes() const { return line_bytes_; }
@@ -24,10 +25,17 @@ class Painter {
   void begin_lines(const BackgroundRecord& background);
   // The spans to come belong to `line`; `out` begins on a word boundary and holds line_bytes() at least.
   void begin_line(std::uint16_t line, std::uint8_t* out) {
-    line_ = line;
-    out_ = out;
+    begin_plain_line(line, out);
     if (gradient_ != nullptr) [[unlikely]]
       shade_background();
+  }
+  // The same of RGB565 before one colour.
+  void begin_plain_lines(const Rgb8& background) {
+    background_ = rgb565_wire(background.r, background.g, background.b);
+  }
+  void begin_plain_line(std::uint16_t line, std::uint8_t* out) {
+    line_ = line;
+    out_ = out;
   }
   void span(const VisibleSpan& span);
   // A span of one colour, as flat_payload() gives it.

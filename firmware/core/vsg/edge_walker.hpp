@@ -37,7 +37,7 @@ struct DrawnFaces {
 class EdgeWalker {
  public:
   EdgeWalker() = default;
-  EdgeWalker(const EdgeStorage& storage, const Screen& screen)
+  constexpr EdgeWalker(const EdgeStorage& storage, const Screen& screen)
       : buckets_(storage.buckets, storage.links, storage.points),
         points_(storage.points),
         pool_(storage.edges[0].sink()),

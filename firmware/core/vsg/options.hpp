@@ -31,6 +31,7 @@ struct VsgOptions {
   bool bands = false;    // with Walker::edges: of meshes only a band is kept, the storage of Budget::band_vertices
   bool changes = false;  // lines that show what they showed are not drawn again: the storage of Budget::kept_instances
   Paint paint = Paint::any;  // where the walker is that of edges alone
+  bool plain = false;        // with Paint::flat_words or smooth_words, of meshes: plain scenes alone, see Budget::plain
 };
 
 }  // namespace spanline

@@ -58,7 +58,7 @@ class OverlapSet {
     }
   }
 
-  FaceId faces_[kMost];
+  FaceId faces_[kMost] = {};
   unsigned count_ = 0;
   bool overflow_ = false;
 };

@@ -30,7 +30,7 @@ class PlaneCache {
   }
 
   PlaneCache() = default;
-  PlaneCache(PoolRef<CachedPlane> planes, PoolRef<DepthReach> reaches)
+  constexpr PlaneCache(PoolRef<CachedPlane> planes, PoolRef<DepthReach> reaches)
       : planes_(planes), reaches_(reaches), mask_(mask_of(planes)), reach_mask_(mask_of(reaches)) {}
 
   void clear() {
@@ -64,7 +64,7 @@ class PlaneCache {
   // Faces of strips that run beside each other differ by strips' lengths, which are often even.
   static std::uint32_t place(FaceId face) { return face ^ face >> 3; }
   template <typename T>
-  static std::uint32_t mask_of(const PoolRef<T>& pool) {
+  static constexpr std::uint32_t mask_of(const PoolRef<T>& pool) {
     return std::bit_floor(static_cast<std::uint32_t>(pool.capacity()) + 1u) - 1u;
   }
   template <typename Make>

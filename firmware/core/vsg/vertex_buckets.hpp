@@ -15,7 +15,7 @@ class VertexBuckets {
 
   VertexBuckets() = default;
   // One link a vertex, one bucket a line; `points` are the vertices on the screen.
-  VertexBuckets(PoolRef<std::uint16_t> buckets, PoolRef<std::uint16_t> links, PoolRef<ScreenXY> points)
+  constexpr VertexBuckets(PoolRef<std::uint16_t> buckets, PoolRef<std::uint16_t> links, PoolRef<ScreenXY> points)
       : buckets_(buckets), links_(links), points_(points) {}
 
   // Empties the buckets of lines [top, bottom). Vertices above `top` belong to its bucket.

@@ -23,6 +23,18 @@ bool of_engine(const std::string& member) {
   return false;
 }
 
+// What a template of the engine's became in an image's own files; the section's name ends with the symbol's.
+bool is_engine_template(const std::string& section) {
+  static const std::string kEngine = "8spanline";
+  const std::size_t at = section.find(kEngine);
+  if (at == std::string::npos || section.find("._ZN") == std::string::npos) return false;
+  const std::string rest = section.substr(at + kEngine.size());
+  for (const char* other : {"5bench", "6target", "6boards", "3hal", "5demos"}) {
+    if (rest.rfind(other, 0) == 0) return false;
+  }
+  return true;
+}
+
 bool is_text(const std::string& section) { return section.rfind(".text", 0) == 0 || section.rfind(".rodata", 0) == 0; }
 
 }  // namespace
@@ -41,7 +53,8 @@ std::uint32_t engine_text_bytes(const std::string& path) {
     if (line[1] != ' ') words >> section;
     std::string address, size, member;
     if (!(words >> address >> size >> member) || address.rfind("0x", 0) != 0 || size.rfind("0x", 0) != 0) continue;
-    if (is_text(section) && of_engine(member)) bytes += static_cast<std::uint32_t>(std::stoul(size, nullptr, 16));
+    if (is_text(section) && (of_engine(member) || is_engine_template(section)))
+      bytes += static_cast<std::uint32_t>(std::stoul(size, nullptr, 16));
     section.clear();
   }
   if (bytes == 0) throw host::InputError(path, "is no map of an image with the engine in it");

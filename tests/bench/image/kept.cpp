@@ -20,11 +20,11 @@ using TheFrame = Frame<options_for(kBudget)>;
 FrameMemory<kBudget> memory;
 alignas(4) std::uint8_t lines[2][bytes_per_line(kBudget.format, kBudget.width)];
 
-void draw(TheFrame& frame, const SceneView& view) {
+void draw(TheFrame& frame) {
   unsigned turn = 0;
   frame_begin_mark();
   for (Band rest{0, kBudget.height}; !rest.empty();) {
-    const Band band = frame.prepare(view, shown::camera, rest);
+    const Band band = frame.prepare(shown::view, shown::camera, rest);
     if (band.empty()) break;
     while (frame.next_line(lines[turn])) turn ^= 1;
     rest.top = band.bottom;
@@ -38,14 +38,13 @@ void draw(TheFrame& frame, const SceneView& view) {
 int main() {
   using namespace spanline;
   using namespace spanline::bench;
-  const SceneView view = SceneView::of_compiled(shown::scene);
   TheFrame frame(memory.storage());
-  draw(frame, view);
+  draw(frame);
   frame.redraw({0, kBudget.height});
-  draw(frame, view);
+  draw(frame);
   constexpr std::uint16_t kMiddle = kBudget.height / 2;
   frame.redraw({kMiddle, kMiddle + 8});
-  draw(frame, view);
-  draw(frame, view);
+  draw(frame);
+  draw(frame);
   hal::semihosting::leave(frame.status().ok() ? 0 : 1);
 }

@@ -1,7 +1,5 @@
 // Draws one scene and prints what that took of RAM and what its picture's bytes sum to. The first frame is the one to
 // count, between the marks: its lines go to two buffers by turns, as they would with DMA, and nowhere else.
-#include <new>
-
 #include "boards/common/frame_marks.hpp"
 #include "boards/common/report.hpp"
 #include "budget.hpp"
@@ -17,8 +15,9 @@ constexpr std::uint32_t kLineBytes = bytes_per_line(shown::kBudget.format, shown
 
 using TheFrame = Frame<options_for(shown::kBudget)>;
 
+// Made by the compiler where the Frame is one that it can make, else when the image starts.
 FrameMemory<shown::kBudget> memory;
-alignas(TheFrame) std::uint8_t frame_place[sizeof(TheFrame)];
+TheFrame frame(memory.storage());
 alignas(4) std::uint8_t lines[shown::kLineBuffers][kLineBytes];
 std::uint32_t sum = 2166136261u;  // FNV-1a
 Status outcome;
@@ -27,17 +26,12 @@ void add_to_sum(Slice<const std::uint8_t> line) {
   for (const std::uint8_t byte : line) sum = (sum ^ byte) * 16777619u;
 }
 
-// Apart, so that what it is made of does not stay on the stack.
-[[gnu::noinline]] TheFrame& make_frame() { return *new (frame_place) TheFrame(memory.storage()); }
-
 template <bool kSummed>
 void draw() {
-  const SceneView view = SceneView::of_compiled(shown::scene);
-  TheFrame& frame = make_frame();
   unsigned turn = 0;
   frame_begin_mark();
   for (Band rest{0, shown::kBudget.height}; !rest.empty();) {
-    const Band band = frame.prepare(view, shown::camera, rest);
+    const Band band = frame.prepare(shown::view, shown::camera, rest);
     if (band.empty()) break;
     while (frame.next_line(lines[turn])) {
       if constexpr (kSummed) add_to_sum(lines[turn]);
@@ -57,7 +51,7 @@ int main() {
   using namespace spanline::bench;
   const std::uint32_t stack = target::stack_used_by(draw<false>);
   draw<true>();
-  boards::print_pair("memory", sizeof memory + sizeof frame_place);
+  boards::print_pair("memory", sizeof memory + sizeof frame);
   boards::print_pair("lines", sizeof lines);
   boards::print_pair("stack", stack);
   boards::print_pair("frame", sizeof(TheFrame));
