@@ -8,6 +8,7 @@
 #include "core/shade/light.hpp"
 #include "core/shade/painter.hpp"
 #include "core/shade/smooth_brush.hpp"
+#include "core/vsg/mesh_walker.hpp"
 #include "core/vsg/statistics.hpp"
 
 namespace spanline {
@@ -206,7 +207,7 @@ class MeshLines {
   DepthRows rows_;
   SmoothFaces smooth_faces_;
   Kept<Lights> lights_;
-  EdgeWalker walker_;
+  MeshWalker walker_;
   Paint found_ = Paint::any;  // where it is not decided beforehand
   std::uint16_t line_ = 0;    // to be made next
   bool ready_ = false, overlaps_short_ = false;

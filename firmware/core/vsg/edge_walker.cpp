@@ -2,33 +2,12 @@
 
 namespace spanline {
 
-void EdgeWalker::begin(const SceneRecord& scene, std::int32_t top) {
-  cursor_ = InstanceCursor(scene);
-  fans_.count = 0;
-  buckets_.clear(top, screen_.height);
-  begin();
-}
-
 void EdgeWalker::begin() {
   planes_.clear();
   CHECK(capacity_ >= kSentinels);
   most_ = kSentinels;
   overlap_.clear_overflow();
   walk_.end_alive(walk_.now);
-}
-
-// Goes to the instance of a vertex, as VertexBuckets names it.
-void EdgeWalker::enter(std::uint32_t vertex) {
-  cursor_.to_vertex(vertex - 1);
-  const MeshRecord& mesh = cursor_.mesh();
-  const std::uint32_t first = cursor_.first_vertex() + 1;
-  first_id_ = static_cast<FaceId>(cursor_.first_face() + 1);
-  fans_.points = &points_[first];
-  fans_.cover = cover_of(first_id_);
-  fans_.first = first;
-  fans_.count = mesh.positions.size();
-  fans_.starts = mesh.fan_starts.data();
-  fans_.fans = mesh.fans.data();
 }
 
 void EdgeWalker::begin_start(BandStart& start) {
@@ -170,84 +149,8 @@ inline EdgeWalker::Column EdgeWalker::column() const {
   return column;
 }
 
-template <typename Word>
-bool EdgeWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
-  FanStart& fans = fans_;
-  fans.line = line;
-  fans.not_drawn = drawn.not_drawn;
-  fans.links = buckets_.links();
-  fans.last = reinterpret_cast<std::uintptr_t>(walk_.now + capacity_);
-  fans.begin = fans.out = walk_.alive_end + 1;
-  walk_.alive_end->x = INT32_MIN;
-  for (fans.vertex = buckets_.sorted(line);;) {
-    fans.words = drawn.words + first_id_;
-    start_fans(fans, drawn.words);
-    if (fans.vertex == VertexBuckets::kEnd) break;
-    if (fans.vertex - fans.first >= fans.count) {
-      enter(fans.vertex);
-    } else if (!start_crowded<Word>()) {
-      return false;
-    }
-  }
-  end_start(fans.begin, fans.out);
-  return true;
-}
-
-// Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
-template <typename Word>
-bool EdgeWalker::start_crowded() {
-  FanStart& fans = fans_;
-  const std::uintptr_t last = fans.last;
-  std::uintptr_t needed = reinterpret_cast<std::uintptr_t>(fans.out);
-  fans.each_to_start<Word>([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
-  if (needed > last) return false;
-  // That one alone.
-  std::uint16_t& link = buckets_.links()[fans.vertex];
-  const std::uint16_t next = std::exchange(link, VertexBuckets::kEnd);
-  fans.last = UINTPTR_MAX;
-  start_fans(fans, static_cast<const Word*>(fans.words));
-  link = next;
-  fans.last = last;
-  fans.vertex = next;
-  return true;
-}
-
-template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);
-template bool EdgeWalker::start_edges(std::int32_t, const DrawnFaces<std::uint8_t>&);
-
-// Begins a tall edge again on `line`, by point(i), the corners of the face that it begins or ends, of which it is the
-// left or right edge.
-template <typename Point>
-static bool run_tall(ActiveEdge& edge, std::int32_t line, const Point& point) {
-  const bool left = edge.ending() == 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    ScreenXY top = point(i), bottom = point((i + 1) % 3);
-    if (top.y > bottom.y) std::swap(top, bottom);
-    // One that begins on this very line comes from its own vertex.
-    if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
-    const ScreenXY third = point((i + 2) % 3);
-    const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
-    if ((side < 0) != left) continue;
-    const EdgeRun run = start_run(top, bottom, line);
-    edge.x = run.x;
-    edge.dx = run.dx;
-    edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
-    return true;
-  }
-  return false;
-}
-
 bool EdgeWalker::run_tall_again(ActiveEdge& edge, std::int32_t line, const ScreenXY (&corner)[3]) {
   return run_tall(edge, line, [&corner](unsigned i) { return corner[i]; });
-}
-
-// Begins a tall edge again on `line`; false where it has ended, and for every other edge.
-bool EdgeWalker::run_again(ActiveEdge& edge, std::int32_t line) {
-  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
-  const std::uint32_t face = face_of_tall(edge) - 1u;
-  cursor_.to_face(face);
-  const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
-  return run_tall(edge, line, [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i] + 1]; });
 }
 
 }  // namespace spanline

@@ -1,15 +1,13 @@
-// The edge walker: seed 1's task for meshes whose edges know both their faces. Vertices wait in Y-buckets; one that is
-// reached starts its downward edges from its fan; one pass a line over the edges, in order of X, yields the visible
-// spans and the next line's edges. What a pixel shows is the segment walker's decision in every bit.
+// The edge walker: seed 1's task for facets whose edges know both their faces. One pass a line over the edges, in order
+// of X, yields the visible spans and the next line's edges. What a pixel shows is the segment walker's decision in
+// every bit.
 #pragma once
 
 #include <utility>
 
-#include "core/scene/instance_cursor.hpp"
 #include "core/vsg/band_start.hpp"
 #include "core/vsg/overlap.hpp"
 #include "core/vsg/plane_cache.hpp"
-#include "core/vsg/vertex_buckets.hpp"
 
 namespace spanline {
 
@@ -27,49 +25,28 @@ struct EdgeStorage {
 inline constexpr std::uint32_t kMostEdges = 3840;
 static_assert(std::uint64_t{kMostEdges} * cover_of(0xffff) <= UINT32_MAX);
 
-// Which faces are drawn: those whose word, of the FaceId, is not one certain value.
-template <typename Word>
-struct DrawnFaces {
-  const Word* words;
-  Word not_drawn;
-};
-
+// Where they begin is known to others: MeshWalker, or who says start_by() or begin_start().
 class EdgeWalker {
  public:
   EdgeWalker() = default;
   constexpr EdgeWalker(const EdgeStorage& storage, const Screen& screen)
-      : buckets_(storage.buckets, storage.links, storage.points),
-        points_(storage.points),
-        pool_(storage.edges[0].sink()),
+      : pool_(storage.edges[0].sink()),
         capacity_(storage.edges[0].capacity() < kMostEdges ? storage.edges[0].capacity() : kMostEdges),
-        planes_(storage.planes, storage.reaches),
-        screen_(screen) {
+        screen_(screen),
+        planes_(storage.planes, storage.reaches) {
     walk_.now = pool_;
     walk_.begin = storage.edges[1].sink();
     walk_.side = LineWalk::side_of(screen.width);
   }
 
-  // Begins a frame at line `top`: no vertex is filed, no edge alive. points[1 + vertex] are to be set and forget() said
-  // before faces are filed.
-  void begin(const SceneRecord& scene, std::int32_t top);
+  // Begins a frame: no edge is alive.
+  void begin();
   // LineWalk::faces and LineWalk::painter of all lines.
   void paint_with(const void* faces, const void* painter) {
     walk_.faces = faces;
     walk_.painter = painter;
   }
-  // To file the vertices of faces that are drawn; `first` is the mesh's first over the scene.
-  VertexBuckets::Mesh vertices(std::uint32_t first) { return {buckets_, first}; }
-
-  // Whether nothing of `line` is covered.
-  bool is_blank(std::int32_t line) const { return none_alive() && is_quiet(line); }
   bool none_alive() const { return walk_.alive_end == walk_.now; }
-  // Whether no edge begins on `line`, which needs no start_edges() then.
-  bool is_quiet(std::int32_t line) const { return buckets_.is_empty(line); }
-  // Starts the edges that begin on `line`; to be called for every line from top on that is
-  // not quiet. The faces to be drawn are those
-  // that are run counter-clockwise on the screen. False where there is no room for an edge.
-  template <typename Word>
-  bool start_edges(std::int32_t line, const DrawnFaces<Word>& drawn);
 
   // The visible spans of the line. sink.start(LineWalk&) sets its pixels, begins it and
   // goes on as sink.run(LineWalk&, FaceId), which is walk_on() with a paint of its own; where it stops at a look,
@@ -77,15 +54,14 @@ class EdgeWalker {
   // right end, sink.rest(left) all of them where nothing covers it; sink.front(left, right, FaceId, ramp) those where
   // others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel
   // than the overlap set holds: from there on spans of several faces are left out.
-  template <typename Sink, typename Plane>
-  bool walk(std::int32_t line, const Sink& sink, const Plane& plane) {
-    return walk(line, sink, plane, [this](ActiveEdge& edge, std::int32_t next) { return run_again(edge, next); });
-  }
+  // again(ActiveEdge&, line) begins a tall edge again; false where it has ended, and for every other edge.
+  // plane.nearest(const OverlapSet&, PlaneCache&) is the face that is nearer than every other one wherever both are, or
+  // 0 where that takes planes; plane.nearer(FaceId, FaceId, PlaneCache&) likewise of two.
+  template <typename Sink, typename Plane, typename Again>
+  bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
 
-  // For edges that are not those of a scene's meshes: begin() without one, and start_edges() by start(first, last),
-  // which puts those that begin to `first` in order, none of them to `last`, and returns their end, or null where there
-  // is no room for one. first[-1].x is INT32_MIN.
-  void begin();
+  // Starts the edges that begin on the line by start(first, last), which puts them to `first` in order, none of them to
+  // `last`, and returns their end, or null where there is no room for one. first[-1].x is INT32_MIN.
   template <typename Start>
   bool start_by(const Start& start);
   // Or in place, by start_band_fans() between these two.
@@ -93,11 +69,6 @@ class EdgeWalker {
   void end_start(const BandStart& start) { end_start(start.begin, start.out); }
   // Makes more room for them.
   void make_room(BandStart& start);
-  // Likewise; again(ActiveEdge&, line) is run_again(). plane.nearest(const OverlapSet&, PlaneCache&) is the
-  // face that is nearer than every other one wherever both are, or 0 where that takes planes; plane.nearer(FaceId,
-  // FaceId, PlaneCache&) likewise of two.
-  template <typename Sink, typename Plane, typename Again>
-  bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
   // In place the next line's edges overwrite those that the walk has passed. Leaves room before those, so that none is
   // overwritten too soon; to be said between end_start() and walk(). False where there is too little.
   bool make_way();
@@ -114,17 +85,22 @@ class EdgeWalker {
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
   std::uint32_t edge_capacity() const { return capacity_; }
 
+ protected:
+  void end_start(ActiveEdge* first, ActiveEdge* out);
+  template <typename Point>
+  static bool run_tall(ActiveEdge& edge, std::int32_t line, const Point& point);
+
+  LineWalk walk_{};
+  ActiveEdge* pool_ = nullptr;
+  std::uint32_t capacity_ = 0;  // of the line's edges and the next one's, and one more for the sentinel
+  Screen screen_;
+
  private:
   static constexpr std::uint32_t kSentinels = 1;  // two, of which the pool's sink is one
 
-  void end_start(ActiveEdge* first, ActiveEdge* out);
   [[gnu::noinline]] void move_edges(ActiveEdge* to, ActiveEdge* end);
   bool has_long_column() const;
 
-  [[gnu::noinline]] void enter(std::uint32_t vertex);
-  template <typename Word>
-  [[gnu::noinline]] bool start_crowded();
-  bool run_again(ActiveEdge& edge, std::int32_t line);
   template <typename Sink, typename Plane, typename Again>
   [[gnu::noinline]] WalkStop go_on(WalkStop stop, std::int32_t line, const Sink& sink, const Plane& plane,
                                    const Again& again);
@@ -140,18 +116,9 @@ class EdgeWalker {
   template <typename Sink, typename Plane>
   [[gnu::noinline]] FaceId front_of_set(std::int32_t line, std::int32_t right, const Sink& sink, const Plane& plane);
 
-  FanStart fans_{};      // of the mesh that was reached last
-  FaceId first_id_ = 0;  // of its faces
-  VertexBuckets buckets_;
-  PoolRef<ScreenXY> points_;
-  ActiveEdge* pool_ = nullptr;
-  std::uint32_t capacity_ = 0;  // of the line's edges and the next one's, and one more for the sentinel
   PlaneCache planes_;
-  Screen screen_;
-  LineWalk walk_{};
   OverlapSet overlap_;
   std::uint32_t most_ = 0;
-  InstanceCursor cursor_;
 };
 template <typename Start>
 bool EdgeWalker::start_by(const Start& start) {
@@ -161,6 +128,28 @@ bool EdgeWalker::start_by(const Start& start) {
   if (out == nullptr) return false;
   end_start(first, out);
   return true;
+}
+
+// Begins a tall edge again on `line`, by point(i), the corners of the face that it begins or ends, of which it is the
+// left or right edge.
+template <typename Point>
+bool EdgeWalker::run_tall(ActiveEdge& edge, std::int32_t line, const Point& point) {
+  const bool left = edge.ending() == 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    ScreenXY top = point(i), bottom = point((i + 1) % 3);
+    if (top.y > bottom.y) std::swap(top, bottom);
+    // One that begins on this very line comes from its own vertex.
+    if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
+    const ScreenXY third = point((i + 2) % 3);
+    const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
+    if ((side < 0) != left) continue;
+    const EdgeRun run = start_run(top, bottom, line);
+    edge.x = run.x;
+    edge.dx = run.dx;
+    edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
+    return true;
+  }
+  return false;
 }
 
 // The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.

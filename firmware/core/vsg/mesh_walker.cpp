@@ -1,0 +1,80 @@
+#include "core/vsg/mesh_walker.hpp"
+
+namespace spanline {
+
+void MeshWalker::begin(const SceneRecord& scene, std::int32_t top) {
+  cursor_ = InstanceCursor(scene);
+  fans_.count = 0;
+  buckets_.clear(top, screen_.height);
+  EdgeWalker::begin();
+}
+
+// Goes to the instance of a vertex, as VertexBuckets names it.
+void MeshWalker::enter(std::uint32_t vertex) {
+  cursor_.to_vertex(vertex - 1);
+  const MeshRecord& mesh = cursor_.mesh();
+  const std::uint32_t first = cursor_.first_vertex() + 1;
+  first_id_ = static_cast<FaceId>(cursor_.first_face() + 1);
+  fans_.points = &points_[first];
+  fans_.cover = cover_of(first_id_);
+  fans_.first = first;
+  fans_.count = mesh.positions.size();
+  fans_.starts = mesh.fan_starts.data();
+  fans_.fans = mesh.fans.data();
+}
+
+template <typename Word>
+bool MeshWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
+  FanStart& fans = fans_;
+  fans.line = line;
+  fans.not_drawn = drawn.not_drawn;
+  fans.links = buckets_.links();
+  fans.last = reinterpret_cast<std::uintptr_t>(walk_.now + capacity_);
+  fans.begin = fans.out = walk_.alive_end + 1;
+  walk_.alive_end->x = INT32_MIN;
+  for (fans.vertex = buckets_.sorted(line);;) {
+    fans.words = drawn.words + first_id_;
+    start_fans(fans, drawn.words);
+    if (fans.vertex == VertexBuckets::kEnd) break;
+    if (fans.vertex - fans.first >= fans.count) {
+      enter(fans.vertex);
+    } else if (!start_crowded<Word>()) {
+      return false;
+    }
+  }
+  end_start(fans.begin, fans.out);
+  return true;
+}
+
+// Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
+template <typename Word>
+bool MeshWalker::start_crowded() {
+  FanStart& fans = fans_;
+  const std::uintptr_t last = fans.last;
+  std::uintptr_t needed = reinterpret_cast<std::uintptr_t>(fans.out);
+  fans.each_to_start<Word>([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
+  if (needed > last) return false;
+  // That one alone.
+  std::uint16_t& link = buckets_.links()[fans.vertex];
+  const std::uint16_t next = std::exchange(link, VertexBuckets::kEnd);
+  fans.last = UINTPTR_MAX;
+  start_fans(fans, static_cast<const Word*>(fans.words));
+  link = next;
+  fans.last = last;
+  fans.vertex = next;
+  return true;
+}
+
+template bool MeshWalker::start_edges(std::int32_t, const DrawnFaces<std::uint16_t>&);
+template bool MeshWalker::start_edges(std::int32_t, const DrawnFaces<std::uint8_t>&);
+
+// Begins a tall edge again on `line`; false where it has ended, and for every other edge.
+bool MeshWalker::run_again(ActiveEdge& edge, std::int32_t line) {
+  if ((edge.rest & ActiveEdge::kTall) == 0) return false;
+  const std::uint32_t face = face_of_tall(edge) - 1u;
+  cursor_.to_face(face);
+  const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
+  return run_tall(edge, line, [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i] + 1]; });
+}
+
+}  // namespace spanline
