@@ -192,24 +192,33 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
     if (!needed) return std::nullopt;
     raise(budget.edges, needed->max_edges);
   }
-  const std::size_t few_planes = std::bit_floor(budget.edges / 22u + 1) - 1;
-  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>({few_planes, fitted.planes, 3}));
   budget.band_lines = std::min<std::uint16_t>(fitted.height, 64);
   const std::size_t look = fitted.gouraud ? sizeof(FaceLook) + 1 : sizeof(FaceColor);
-  const std::size_t taken = band_bytes(budget) + sizeof(BandVertex);
-  constexpr std::uint32_t kFewestVertices = 4;
-  if (taken + kFewestVertices * sizeof(BandVertex) + look > bytes) return std::nullopt;
-  const std::size_t left = bytes - taken;
-  // A look is made anew more often than a vertex, and takes longer: there are as many as faces on a line, or nearly so.
-  const std::size_t most_looks = left * (fitted.gouraud ? 7 : 4) / 8 / look;
-  const std::size_t looks = fitted.gouraud ? std::clamp<std::size_t>(most_looks, 2, budget.edges / 2u + 2)
-                                           : std::bit_floor(std::clamp<std::size_t>(most_looks, 1, 256));
+  // Planes are made anew where faces pierce others or meet them at edges. They yield to vertices where there are few.
+  constexpr std::size_t kMostPlanes = 7;
+  std::size_t planes = std::min<std::size_t>({std::bit_ceil(budget.edges / 16u) - 1, fitted.planes, kMostPlanes});
+  std::size_t left = 0, looks = 0, vertices = 0;
+  for (;; planes /= 2) {
+    budget.planes = static_cast<std::uint16_t>(planes);
+    const std::size_t taken = band_bytes(budget) + sizeof(BandVertex);
+    constexpr std::uint32_t kFewestVertices = 4;
+    const bool enough = taken + kFewestVertices * sizeof(BandVertex) + look <= bytes;
+    if (!enough && planes == 0) return std::nullopt;
+    if (!enough) continue;
+    left = bytes - taken;
+    // A look is made anew more often than a vertex, and takes longer: there are as many as faces on a line, or nearly
+    // so.
+    const std::size_t most_looks = left * (fitted.gouraud ? 7 : 4) / 8 / look;
+    looks = fitted.gouraud ? std::clamp<std::size_t>(most_looks, 2, budget.edges / 2u + 2)
+                           : std::bit_floor(std::clamp<std::size_t>(most_looks, 1, 256));
+    vertices = std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost);
+    if (vertices >= budget.edges * 2u / 3 || planes == 0) break;
+  }
   budget.looks = static_cast<std::uint16_t>(looks - 1);
-  budget.band_vertices = static_cast<std::uint16_t>(
-      std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost));
-  const std::size_t rest = left - looks * look - budget.band_vertices * sizeof(BandVertex);
-  const std::size_t planes = std::bit_floor(budget.planes + 1 + rest / kPlaneBytes) - 1;
-  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>(planes, fitted.planes));
+  budget.band_vertices = static_cast<std::uint16_t>(vertices);
+  const std::size_t rest = left - looks * look - vertices * sizeof(BandVertex);
+  const std::size_t more_planes = std::bit_floor(planes + 1 + rest / kPlaneBytes) - 1;
+  budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>(more_planes, fitted.planes));
   return budget;
 }
 

@@ -71,7 +71,8 @@ const std::uint8_t* BandVertices::skip(const std::uint8_t* key, const std::uint8
   return key;
 }
 
-std::uint32_t BandVertices::next_to_file(std::uint32_t from) const {
+// The same, where it is not `from`.
+std::uint32_t BandVertices::look_on(std::uint32_t from) const {
   const std::uint8_t *const first = &keys_[0] + 1, *const end = first + count_, *key = first + from;
   while (key != end) {
     if (reinterpret_cast<std::uintptr_t>(key) % 4 == 0) {

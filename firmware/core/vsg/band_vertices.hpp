@@ -73,7 +73,10 @@ class BandVertices {
   void begin_band(std::int32_t top);
   std::int32_t end() const { return end_; }
   // The first vertex from `from` on that file() is to be said of, or as many as there are.
-  std::uint32_t next_to_file(std::uint32_t from) const;
+  std::uint32_t next_to_file(std::uint32_t from) const {
+    return from != count_ && keys_[from + 1] - 1u < last_key_ ? from
+                                                              : look_on(from);  // those of a line mostly come by runs
+  }
   void file(std::uint32_t vertex, ScreenXY at);
 
   // The vertices of a line of the band from left to right: the place of the first; BandVertex::next tells the others'.
@@ -108,6 +111,7 @@ class BandVertices {
   }
   std::uint32_t bucket(std::int32_t line) const { return static_cast<std::uint32_t>(line - band_top_ + 1); }
   void plan();
+  std::uint32_t look_on(std::uint32_t from) const;
   static const std::uint8_t* skip(const std::uint8_t* key, const std::uint8_t* end, std::uint32_t last);
   // The first vertex with one of `keys` keys from `first` on.
   std::uint32_t next(std::uint32_t from, std::uint32_t first, std::uint32_t keys) const {

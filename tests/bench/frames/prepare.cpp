@@ -59,11 +59,11 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
 
 // The budget that draws the scene in so many bytes, with two line buffers where it is whole then, else with one.
 std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, std::uint32_t memory) {
-  constexpr std::uint32_t kStack = 1824;  // what frames take on an M4, and the Frame itself
+  const std::uint32_t stack = fitted.gouraud ? 1756 : 1612;  // what frames take on an M0+, and the Frame itself
   const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
   for (const unsigned lines : {2u, 1u}) {
-    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < kStack + lines * line) continue;
-    const std::optional<Budget> budget = shrunk_budget(scene, 0, 0, fitted, memory - kStack - lines * line);
+    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < stack + lines * line) continue;
+    const std::optional<Budget> budget = shrunk_budget(scene, 0, 0, fitted, memory - stack - lines * line);
     if (budget && (lines == 1 || budget->band_vertices == 0)) return {*budget, lines};
   }
   throw InputError(scene.description().place, "cannot be drawn in " + std::to_string(memory) + " bytes");
