@@ -70,7 +70,8 @@ class ScaledAxis {
 
   static std::int32_t rounded(Int sum, const Scale& scale) {
     if constexpr (sizeof(Int) == 4) {
-      return shift_round(mul_high(sum, scale.cube.factor), scale.cube.shift) * (1 << scale.down);
+      const std::int32_t half = 1 << (scale.cube.shift - 1);
+      return (add_high(sum, scale.cube.factor, half) >> scale.cube.shift) * (1 << scale.down);
     } else {
       const std::uint64_t low =
           std::uint64_t{static_cast<std::uint32_t>(sum)} * static_cast<std::uint32_t>(scale.cube.factor);
