@@ -1,4 +1,4 @@
-#include "core/geom/mesh_points.hpp"
+#include "core/geom/projection.hpp"
 
 namespace spanline {
 
@@ -19,7 +19,5 @@ void Projection::place(Slice<const Position> positions, const ClipRows& to_clip,
   Normaliser normaliser;
   for (const Position& position : positions) *at++ = place(to_clip(position), normaliser);
 }
-
-PackedXY place_vertex(MeshPoints& points, std::uint32_t vertex) { return PackedXY(points[vertex]); }
 
 }  // namespace spanline
