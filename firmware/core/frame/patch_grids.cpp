@@ -329,7 +329,7 @@ DepthReach PatchGrids::reach(FaceId face, std::int32_t line) const {
 }
 
 DepthRamp PatchGrids::ramp(FaceId face, std::int32_t line) const {
-  SegmentHalf left, right;
+  SegmentHalf left{}, right{};
   each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool down) {
     (down ? left : right) = start_edge({{top.at, top.depth, {}}, {bottom.at, bottom.depth, {}}}, line, true);
   });

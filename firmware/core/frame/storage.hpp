@@ -268,7 +268,7 @@ class BandPools {
   static constexpr std::size_t kRoom = sizeof(LinePools) / sizeof(ScreenXY) - 1;
   static constexpr std::uint16_t kPoints = kRoom < kBudget.vertices ? std::uint16_t{kRoom} : kBudget.vertices;
   union Shared {
-    Shared() {}
+    Shared() {}  // NOLINT: default means deleted where a member has a constructor
     LinePools of_lines;
     ScreenXY points[kPoints + 1];
   };
