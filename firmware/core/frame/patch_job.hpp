@@ -5,6 +5,7 @@
 #include "core/curve/normals.hpp"
 #include "core/geom/facet.hpp"
 #include "core/shade/light.hpp"
+#include "core/vsg/grid_start.hpp"
 
 namespace spanline {
 
@@ -56,7 +57,13 @@ struct PatchWindow {
 // four corners. Another one is two triangles, abc and acd, each of which may turn its back: a quadrangle that crosses
 // itself is not to be drawn, and every line of the screen meets no more than two edges of a facet.
 struct CellParts {
-  enum : std::uint8_t { kNone = 0, kUpper = 1, kLower = 2, kQuad = kUpper | kLower, kApart = 4 };
+  enum : std::uint8_t {
+    kNone = 0,
+    kUpper = CellCovers::kUpper,
+    kLower = CellCovers::kLower,
+    kQuad = kUpper | kLower,
+    kApart = CellCovers::kApart
+  };
 
   // Those that turn their fronts to the viewer, `two_sided`: all. `mirrored`: fronts run clockwise. kNear: the corners
   // differ by less than 2^15 units each way.

@@ -19,8 +19,12 @@ asm(R"(
 
 @ What each kind has of its own: the vertex after the one at hand, to r3; of the vertex r3 the fan r0 to lr and r5, and
 @ itself, to r4; the lower end of the edge r0, to r3, which may take r4; what face r4 covers, to r4, and to `none` where
-@ that is nothing, which may take r5; that lower end once more.
-    .macro fan_of_r4
+@ that is nothing, which may take r5; that lower end once more. Bytes are as
+@ words, but for what a face covers.
+    .macro fan_of_r4 free
+    ldr r5, [sp, #28]               @ count
+    cmp r4, r5
+    bhs 70f
     lsls r6, r4, #1
     ldr r5, [sp, #32]               @ starts
     adds r5, r5, r6
@@ -31,8 +35,9 @@ asm(R"(
     subs r6, r5, r0
     lsls r6, r6, #2
     adds r6, r6, r7
-    .endm
-    .macro fan_at_hand
+    ldr \free, [sp, #44]            @ last
+    cmp r6, \free
+    bhi 70f
     ldr r6, [sp, #36]               @ fans
     adds r0, r0, r6
     adds r5, r5, r6
@@ -46,14 +51,7 @@ asm(R"(
     .macro vertex_words
     ldr r4, [sp, #24]               @ first
     subs r4, r3, r4
-    ldr r5, [sp, #28]               @ count
-    cmp r4, r5
-    bhs 70f
-    fan_of_r4
-    ldr r3, [sp, #44]               @ last
-    cmp r6, r3
-    bhi 70f
-    fan_at_hand
+    fan_of_r4 r3
     lsls r4, r4, #2
     ldr r4, [r1, r4]
     .endm
@@ -85,24 +83,9 @@ asm(R"(
     .macro far_words
     .endm
 
-    .macro next_bytes
-    next_words
-    .endm
-    .macro vertex_bytes
-    vertex_words
-    .endm
-    .macro point_bytes site
-    point_words \site
-    .endm
     .macro covers_bytes none
     covers_by \none, 16, 0, ldrb
     .endm
-    .macro again_bytes
-    point_words
-    .endm
-    .macro far_bytes
-    .endm
-
 @ In a band r1 are keys, r11 its vertices, r12 the bits of faces.
     .macro next_band
     lsls r3, r3, #3
@@ -119,14 +102,7 @@ asm(R"(
     ldrh r4, [r3, #4]
     ldr r5, [sp, #24]               @ first
     subs r4, r4, r5
-    ldr r5, [sp, #28]               @ count
-    cmp r4, r5
-    bhs 70f
-    fan_of_r4
-    ldr r4, [sp, #44]               @ last
-    cmp r6, r4
-    bhi 70f
-    fan_at_hand
+    fan_of_r4 r4
     ldr r4, [r3]
     .endm
     .macro point_band site
@@ -190,7 +166,7 @@ asm(R"(
     bx lr
     .endm
 
-    .macro start_fans kind
+    .macro start_fans kind, of
     .section .text.spanline_start_fans_\kind, "ax", %progbits
     .p2align 2
     .global spanline_start_fans_\kind
@@ -228,9 +204,9 @@ spanline_start_fans_\kind:
     b 8f
 
 60: ldr r3, [sp, #4]
-    next_\kind
+    next_\of
 1:  str r3, [sp, #4]
-    vertex_\kind
+    vertex_\of
     lsls r6, r4, #16
     mov r9, r6
     ldr r3, 100f
@@ -239,7 +215,7 @@ spanline_start_fans_\kind:
     asrs r4, r4, #16
     subs r4, r2, r4
     mov r10, r4
-    point_\kind 1
+    point_\of 1
     asrs r6, r3, #16
     subs r6, r6, r2
     ble 3f
@@ -263,7 +239,7 @@ spanline_start_fans_\kind:
 3:  adds r0, #4
     cmp r0, lr
     beq 60b
-    point_\kind 2
+    point_\of 2
     asrs r6, r3, #16
     subs r6, r6, r2
     ble 3b
@@ -320,16 +296,16 @@ spanline_start_fans_\kind:
 7:  adds r0, #4
     cmp r0, lr
     beq 61f
-    point_\kind 3
+    point_\of 3
     asrs r6, r3, #16
     subs r6, r6, r2
     bgt 5b
     b 3b
 
 61: b 60b
-    far_\kind
+    far_\of
 
-30: again_\kind
+30: again_\of
     str r3, [r7]
     str r5, [r7, #12]
     mov r4, lr
@@ -372,9 +348,9 @@ spanline_start_fans_\kind:
     .size spanline_start_fans_\kind, . - spanline_start_fans_\kind
     .endm
 
-    start_fans words
-    start_fans bytes
-    start_fans band
+    start_fans words, words
+    start_fans bytes, words
+    start_fans band, band
     .text
 )");
 

@@ -18,12 +18,20 @@ asm(R"(
 
 @ What each kind has of its own: to the vertex r3, its fan r0 to r5, itself r9, the next r4; the lower end of the edge r0,
 @ which it steps beyond, to r7; what face r4 covers, to `to`, and to `none` where that is nothing, which may take r3, r5
-@ and lr; that lower end once more, to r3; on from a fan's end.
+@ and lr; that lower end once more, to r3; on from a fan's end. Bytes are as words, but for what a face covers.
     .macro fan_of_r4
     ldrd r6, r7, [sp, #32]          @ starts, fans
     add r6, r6, r4, lsl #1
     ldrh r0, [r6]
     ldrh r5, [r6, #2]
+    .endm
+    .macro fan_at_hand              @ r6: last
+    add r0, r7, r0, lsl #2
+    add r5, r7, r5, lsl #2
+    subs r7, r5, r0
+    add r7, r12, r7, lsl #2
+    cmp r7, r6
+    bhi 70f
     .endm
     .macro vertex_words
     ldrd r4, r5, [sp, #24]          @ first, count
@@ -33,12 +41,7 @@ asm(R"(
     fan_of_r4
     ldr r9, [r1, r4, lsl #2]
     ldrd r4, r6, [sp, #40]          @ links, last
-    add r0, r7, r0, lsl #2
-    add r5, r7, r5, lsl #2
-    subs r7, r5, r0
-    add r7, r12, r7, lsl #2
-    cmp r7, r6
-    bhi 70f
+    fan_at_hand
     ldrh r4, [r4, r3, lsl #1]
     .endm
     .macro point_words site
@@ -67,24 +70,9 @@ asm(R"(
     .macro rest_words
     .endm
 
-    .macro vertex_bytes
-    vertex_words
-    .endm
-    .macro point_bytes site
-    point_words \site
-    .endm
     .macro covers_bytes to, none
     covers_by \to, \none, ldrb r5, [r2, r4]
     .endm
-    .macro again_bytes
-    again_words
-    .endm
-    .macro next_bytes
-    b 1b
-    .endm
-    .macro rest_bytes
-    .endm
-
 @ In a band r1 are keys, r2 its vertices.
     .macro vertex_band
     add lr, r2, r3, lsl #3
@@ -95,12 +83,7 @@ asm(R"(
     bhs 70f
     fan_of_r4
     ldr r6, [sp, #44]               @ last
-    add r0, r7, r0, lsl #2
-    add r5, r7, r5, lsl #2
-    subs r7, r5, r0
-    add r7, r12, r7, lsl #2
-    cmp r7, r6
-    bhi 70f
+    fan_at_hand
     ldr r9, [lr]
     ldrb r4, [lr, #6]
     .endm
@@ -159,7 +142,7 @@ asm(R"(
     bx lr
     .endm
 
-    .macro start_fans kind
+    .macro start_fans kind, of
     .section .text.spanline_start_fans_\kind, "ax", %progbits
     .p2align 2
     .global spanline_start_fans_\kind
@@ -175,14 +158,14 @@ spanline_start_fans_\kind:
     lsl r11, r11, #4
     add r11, #8
 
-1:  vertex_\kind
+1:  vertex_\of
     sub r10, r11, r9, asr #16
     lsl r9, r9, #16
     add r7, r9, #1 << 19
     subs r7, #1
     strd r5, r7, [sp]
     str r4, [sp, #8]
-    point_\kind 1
+    point_\of 1
     rsbs r6, r11, r7, asr #16
     ble 3f
     ldrsh r4, [r5, #-2]
@@ -192,7 +175,7 @@ spanline_start_fans_\kind:
 2:  mov r5, lr
 3:  cmp r0, r5
     beq 60f
-    point_\kind 2
+    point_\of 2
     rsbs r6, r11, r7, asr #16
     ble 3b
     ldrsh r4, [r0, #-6]
@@ -226,13 +209,13 @@ spanline_start_fans_\kind:
     stm r12!, {r3-r6}
 7:  cmp r0, lr
     beq 60f
-    point_\kind 3
+    point_\of 3
     rsbs r6, r11, r7, asr #16
     bgt 5b
     b 2b
 
 60: ldr r3, [sp, #8]
-    next_\kind
+    next_\of
 
 70: ldr r4, [sp, #48]
     str r3, [r4, #8]
@@ -247,7 +230,7 @@ spanline_start_fans_\kind:
 50: ldr lr, [sp]                    @ covers nothing on either side
     b 7b
 
-30: again_\kind
+30: again_\of
     str r3, [r12]
     strd r5, lr, [r12, #8]
     push {r0-r2, r12}
@@ -272,13 +255,13 @@ spanline_start_fans_\kind:
     add r12, #16
     ldr lr, [sp]
     b 7b
-    rest_\kind
+    rest_\of
     .size spanline_start_fans_\kind, . - spanline_start_fans_\kind
     .endm
 
-    start_fans words
-    start_fans bytes
-    start_fans band
+    start_fans words, words
+    start_fans bytes, words
+    start_fans band, band
     .text
 )");
 
