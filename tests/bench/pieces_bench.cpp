@@ -37,7 +37,7 @@ void project_vertex(benchmark::State& state) {
   }
   // One unit of the world to each side, three ahead.
   constexpr std::int32_t kOne = 1 << 16;
-  const ClipMatrix matrix{{{kOne, 0, 0}, {0, kOne, 0}, {0, 0, kOne}}, {0, 0, 3 * kOne}, false};
+  const ClipMatrix matrix{{{kOne, 0, 0}, {0, kOne, 0}, {0, 0, kOne}}, {0, 0, 3 * kOne}};
   CameraRecord camera{};
   camera.focal = Fx12::from_int(290);
   camera.near_plane = Fx16::from_int(1);

@@ -95,7 +95,7 @@ TEST(NormalRow, IsDefinedWhereThereIsNone) {
 }
 
 // The exact normal of a facet, from its corners in clip space: where the matrix takes it from.
-Vector exact_normal(const ClipMatrix& matrix, const std::array<ClipPoint, 4>& p) {
+Vector exact_normal(const ClipMatrix& matrix, bool mirrored, const std::array<ClipPoint, 4>& p) {
   const auto between = [](const ClipPoint& from, const ClipPoint& to) {
     return Vector{static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y,
                   static_cast<double>(to.w) - from.w};
@@ -103,7 +103,7 @@ Vector exact_normal(const ClipMatrix& matrix, const std::array<ClipPoint, 4>& p)
   const Vector n = cross(between(p[0], p[2]), between(p[1], p[3]));
   const auto back = [&](int i) {
     const double sum = matrix.linear[0][i] * n.x + matrix.linear[1][i] * n.y + matrix.linear[2][i] * n.z;
-    return matrix.mirrored ? -sum : sum;
+    return mirrored ? -sum : sum;
   };
   return {back(0), back(1), back(2)};
 }
@@ -129,14 +129,15 @@ TEST(FacetNormals, AreThoseOfTheDiagonalsAndNearThePatchesOwn) {
   double off = 0, count = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     PatchView view = random_view(seed, seed % 2 == 0 ? 1 : 4, 8);
-    if (seed % 3 == 0) {  // a mirror
-      view.matrix.mirrored = true;
+    const bool mirrored = seed % 3 == 0;
+    if (mirrored) {
       for (auto& row : view.matrix.linear) row[0] = -row[0];
     }
-    const FacetNormals normals(view.matrix);
+    const FacetNormals normals(view.matrix, mirrored);
     for (const PatchPoints& points : teapot_patches()) {
       for_cells(view.patch(points), view.dice, [&](const std::array<ClipPoint, 4>& p, double u, double v) {
-        const Vector exact = exact_normal(view.matrix, p), got = vector_of(normals.of(p[0], p[1], p[2], p[3]));
+        const Vector exact = exact_normal(view.matrix, mirrored, p),
+                     got = vector_of(normals.of(p[0], p[1], p[2], p[3]));
         if (length(exact) == 0) return;
         EXPECT_LT(degrees_between(exact, got), 0.5);
         off += degrees_between(normal_at(shape_of(points), u, v), got);
@@ -149,7 +150,7 @@ TEST(FacetNormals, AreThoseOfTheDiagonalsAndNearThePatchesOwn) {
 
 TEST(FacetNormals, AreDefinedWhereThereAreNone) {
   const ClipPoint p{100, 200, 300}, q{400, 200, 300};
-  const FacetNormals normals(random_view(1, 1, 8).matrix);
+  const FacetNormals normals(random_view(1, 1, 8).matrix, false);
   EXPECT_EQ(normals.of(p, p, p, p).packed, Normal10::pack(0, 0, 511).packed);
   EXPECT_EQ(normals.of(p, q, p, q).packed, Normal10::pack(0, 0, 511).packed);
   // From end to end of clip space.

@@ -26,21 +26,21 @@ inline constexpr Screen kWide{320, 240, PixelFormat::rgb565}, kTall{240, 320, Pi
     kMono{128, 64, PixelFormat::mono1};
 
 inline constexpr Picture kPictures[] = {
-    {"teapot-wide-0", demos::teapot, 0, kWide, 0x1fb4566f},
-    {"teapot-oled-100", demos::teapot, 100, kOled, 0xff60ae3a},
+    {"teapot-wide-0", demos::teapot, 0, kWide, 0x0b09fa5d},
+    {"teapot-oled-100", demos::teapot, 100, kOled, 0x38836b56},
     {"teapot-mono-20", demos::teapot, 20, kMono, 0x84723bc3},
     {"cubes-square-90", demos::cubes, 90, kSquare, 0x7f1227a8},
     {"cubes-grey-250", demos::cubes, 250, kGrey, 0xeb6608be},
     {"cubes-oled-200", demos::cubes, 200, kOled, 0x342ee53b},
     {"gears-oled-33", demos::gears, 33, kOled, 0xd4387eb6},
-    {"gauges-wide-60", demos::gauges, 60, kWide, 0x76f5007f},
-    {"gauges-tall-3000000", demos::gauges, 3000000, kTall, 0xac96860b},
+    {"gauges-wide-60", demos::gauges, 60, kWide, 0xde2bf2ed},
+    {"gauges-tall-3000000", demos::gauges, 3000000, kTall, 0xb9b7e770},
     {"gauges-oled-120", demos::gauges, 120, kOled, 0xc50d227d},
     {"dice-oled-60", demos::dice, 60, kOled, 0x3c1db39e},
     {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
     {"panes-wide-30", demos::panes, 30, kWide, 0x3450a3c7},
     {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
-    {"patches-oled-60", demos::patches, 60, kOled, 0xbeeaa665},
+    {"patches-oled-60", demos::patches, 60, kOled, 0x6954b758},
     {"patches-mono-150", demos::patches, 150, kMono, 0x734ea44a},
 };
 

@@ -128,14 +128,14 @@ Normal10 NormalRow::at(std::uint32_t column) const {
   return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
 }
 
-FacetNormals::FacetNormals(const ClipMatrix& matrix) {
+FacetNormals::FacetNormals(const ClipMatrix& matrix, bool mirrored) {
   Vector rows[3];
   for (int i = 0; i < 3; ++i) rows[i] = {{matrix.linear[i][0], matrix.linear[i][1], matrix.linear[i][2]}};
   shorten(rows, kDirectionBits);
   for (int i = 0; i < 3; ++i) {
     const std::int32_t x = rows[0].v[i], y = rows[1].v[i], w = rows[2].v[i];
-    xy_[i] = matrix.mirrored ? pack_halves(-x, -y) : pack_halves(x, y);
-    w_[i] = matrix.mirrored ? -w : w;
+    xy_[i] = mirrored ? pack_halves(-x, -y) : pack_halves(x, y);
+    w_[i] = mirrored ? -w : w;
   }
 }
 

@@ -62,8 +62,8 @@ class NormalRow {
 // of vectors is so by the map's cofactors, and turned back by its transpose.
 class FacetNormals {
  public:
-  // Of meshes that `matrix` takes to clip space.
-  explicit FacetNormals(const ClipMatrix& matrix);
+  // Of meshes that `matrix` takes to clip space; `mirrored`: by a transform that is (is_mirrored).
+  FacetNormals(const ClipMatrix& matrix, bool mirrored);
 
   // Of the facet with these corners, in order, what both its diagonals stand upright on: on the side that sees them
   // turn counter-clockwise in the mesh. (0, 0, 511) where they span nothing.

@@ -15,7 +15,7 @@ ClipMatrix InstancePoints::enter() {
 bool InstancePoints::enter(const InstanceCursor& at, DepthRows& rows, bool& surely) {
   cursor_ = at;
   const ClipMatrix matrix = enter();
-  if (matrix.mirrored || !matrix.fits()) return false;
+  if (is_mirrored(at.instance().transform) || !matrix.fits()) return false;
   rows.hold(matrix);
   surely = points_.projection.well_inside(mesh().box, points_.to_clip);
   return true;

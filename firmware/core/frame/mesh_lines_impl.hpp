@@ -235,7 +235,10 @@ std::uint16_t MeshLines<kTaps, kPaint, kPlain>::flat_color(const InstanceCursor&
 template <bool kTaps, Paint kPaint, bool kPlain>
 bool MeshLines<kTaps, kPaint, kPlain>::project(const InstanceCursor& at) {
   const ClipMatrix matrix = compose(camera_, at.instance().transform, at.mesh());
-  if (matrix.mirrored || !matrix.fits()) return false;
+  if (!matrix.fits()) return false;
+  if constexpr (!kPlain) {  // of a plain scene its light asks
+    if (is_mirrored(at.instance().transform)) return false;
+  }
   rows_.hold(matrix);
   const Projection projection(camera_, screen_);
   const ClipRows to_clip(matrix);

@@ -51,7 +51,8 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   grid.points = stride + other;
   if (grid.points >= end) return false;
   Row rows[2] = {{{}, points_at(end - stride, stride)}, {{}, points_at(end - stride - other, stride)}};
-  const Light light{FacetNormals(job.reader.matrix()), {*job.look.lights, *job.look.material, job.look.format}};
+  const Light light{FacetNormals(job.reader.matrix(), job.reader.mirrored()),
+                    {*job.look.lights, *job.look.material, job.look.format}};
   ScreenBounds bounds_above;
   for (std::uint32_t i = 0; i <= job.rows(); ++i) {
     const Row& above = rows[(i + 1) % 2];

@@ -272,7 +272,7 @@ void PatchSource::take_corners(const PatchJob& job, const Row& row, std::uint32_
 // Lights the facets from `first` on, of the strip between the rows; their corners are stepped to again.
 void PatchSource::colour(const PatchJob& job, const Row& above, const Row& below, std::uint16_t first) {
   if (first > count_) return;
-  const FacetNormals normals(job.reader.matrix());
+  const FacetNormals normals(job.reader.matrix(), job.reader.mirrored());
   for (std::uint32_t i = first; i <= count_; ++i) {
     DicedFacet& facet = p_.facets[i];
     const std::uint32_t column = facet.part / 2u % kMaxSteps;

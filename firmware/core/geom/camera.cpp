@@ -65,17 +65,6 @@ const char* wrong_field(const CameraRecord& camera) {
   return camera.far_plane <= camera.near_plane ? "far_plane" : nullptr;
 }
 
-bool is_mirrored(const Transform& transform) {
-  const auto m = [&](int i, int j) {
-    return std::int64_t{transform.matrix[i][j].raw} >> 6;
-  };  // Q22.10: products fit 64
-  std::int64_t determinant = 0;
-  for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
-    determinant += m(0, i) * (((m(1, j) * m(2, k)) >> 10) - ((m(1, k) * m(2, j)) >> 10));
-  }
-  return determinant < 0;
-}
-
 }  // namespace
 
 Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3], Fx12 focal, Fx16 near_plane,
@@ -142,8 +131,18 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
       (origin ? out.offset[row] : out.linear[row][column]) = clip;
     }
   }
-  out.mirrored = is_mirrored(transform);
   return out;
+}
+
+[[gnu::cold]] bool is_mirrored(const Transform& transform) {
+  const auto m = [&](int i, int j) {
+    return std::int64_t{transform.matrix[i][j].raw} >> 6;
+  };  // Q22.10: products fit 64
+  std::int64_t determinant = 0;
+  for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
+    determinant += m(0, i) * (((m(1, j) * m(2, k)) >> 10) - ((m(1, k) * m(2, j)) >> 10));
+  }
+  return determinant < 0;
 }
 
 }  // namespace spanline

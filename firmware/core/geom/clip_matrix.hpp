@@ -19,7 +19,6 @@ struct ClipPoint {
 struct ClipMatrix {
   std::int32_t linear[3][3];  // Q1.31 world units a mesh unit, rows x, y (scaled by the focal length) and w
   std::int32_t offset[3];     // Q16.16
-  bool mirrored;              // the instance's transform turns fronts into clockwise
 
   // Point: a Position, or what lies a little outside the positions: |x|, |y|, |z| < 2^24 mesh units.
   template <typename Point>

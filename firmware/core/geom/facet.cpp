@@ -60,7 +60,9 @@ void FacetReader::enter_instance(std::uint16_t instance, std::uint16_t first_fac
   first_face_ = first_face;
   first_vertex_ = first_vertex;
   group_ = 0;
-  if (!on_screen()) matrix_ = compose(*camera_, this->instance().transform, mesh());
+  if (on_screen()) return;
+  matrix_ = compose(*camera_, this->instance().transform, mesh());
+  mirrored_ = is_mirrored(this->instance().transform);
 }
 
 void FacetReader::control_points(ClipPoint (&out)[4][4]) const {
@@ -171,7 +173,7 @@ FacetExtent FacetReader::extent() {
     // A curve stays within its control points, but not within what clipping leaves of the polygon between them.
     if (face_.curved && clipped()) e = {0, kMaxExtent, 0, kMaxExtent, e.area};
   }
-  if (!on_screen() && matrix_.mirrored) e.area = -e.area;
+  if (mirrored()) e.area = -e.area;
   return culls && !e.front() ? FacetExtent{} : e;
 }
 

@@ -60,7 +60,7 @@ class FacetReader {
   std::uint16_t last_face() const { return static_cast<std::uint16_t>(first_face_ + mesh().face_count - 1); }
   const Projection& projection() const { return projection_; }
   const ClipMatrix& matrix() const { return matrix_; }
-  bool mirrored() const { return !on_screen() && matrix_.mirrored; }
+  bool mirrored() const { return !on_screen() && mirrored_; }
   bool on_screen() const { return (instance().flags & InstanceRecord::kScreen) != 0; }
   // The face that the current one is surface detail of; kNoFace where it is none.
   std::uint16_t parent() const {
@@ -114,6 +114,7 @@ class FacetReader {
   PoolRef<ScreenPoint> cache_;
   std::uint32_t cached_ = 0;
   ClipMatrix matrix_{};
+  bool mirrored_ = false;  // is_mirrored()
   std::uint16_t instance_ = 0;
   std::uint16_t first_face_ = 0;    // of the current instance, over the scene
   std::uint16_t first_vertex_ = 0;  // likewise, control points not counted

@@ -36,6 +36,8 @@ static_assert(sizeof(ScreenPoint) == 8);
 // Combines camera, instance and mesh. Entries that would leave Q1.31 saturate: SceneView and the camera check keep them
 // in.
 ClipMatrix compose(const CameraRecord& camera, const Transform& transform, const MeshRecord& mesh);
+// Whether an instance's transform turns fronts into clockwise.
+bool is_mirrored(const Transform& transform);
 
 // What the projection needs beside the matrix.
 struct Projection {

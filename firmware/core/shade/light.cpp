@@ -36,7 +36,7 @@ std::uint32_t in_channel(const Rgb8& color, unsigned channel) {
   return channel == 0 ? color.r : channel == 1 ? color.g : color.b;
 }
 
-// Columns of one length, at right angles, within 1 %.
+// Columns of one length, at right angles, within 1 %: the transform only turns, mirrors and scales evenly.
 [[gnu::cold]] bool is_uniform(const Matrix& m) {
   const std::int32_t length = column_product(m, 0, 0), slack = length / 128;
   for (int a = 0; a < 3; ++a) {
@@ -55,6 +55,15 @@ std::uint32_t in_channel(const Rgb8& color, unsigned channel) {
     if (!grey(light.intensity)) return false;
   }
   return grey(scene.ambient);
+}
+
+// Whether a uniform matrix mirrors. Its determinant is so far from 0 that half of its bits tell.
+bool is_mirrored(const Matrix& m) {
+  std::int32_t determinant = 0;
+  for (int j = 0, k = 1, l = 2; j < 3; k = l, l = j++) {
+    determinant += ((m[0][k] * m[1][l] - m[0][l] * m[1][k]) >> 14) * m[2][j];  // below 2^29
+  }
+  return determinant < 0;
 }
 
 // The cofactor matrix, which turns normals as the matrix turns surfaces, with the sign that keeps them outward when
@@ -87,24 +96,21 @@ std::int32_t quotient(std::int64_t value, std::uint32_t divisor) {
   return value < 0 ? -result : result;
 }
 
-// The cofactors of a transform; whether it is uniform.
-[[gnu::cold]] bool turn(const Transform& transform, Matrix& cofactors_of) {
-  Matrix shape;
+// The matrix of a transform, normalised.
+[[gnu::cold]] void take_shape(const Transform& transform, Matrix& shape) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) shape[i][j] = transform.matrix[i][j].raw;
   }
   normalise(shape);
-  cofactors(shape, cofactors_of);
-  return is_uniform(shape);
 }
 
-// How long the cofactors of a uniform transform are.
+// How much longer a uniform matrix makes what it turns.
 std::uint32_t length_of(const Matrix& turned) {
   return square_root(static_cast<std::uint32_t>(column_product(turned, 0, 0)));
 }
 
 // A light's direction in the mesh, as LightRig::direction_ has it. Where the length is left to each normal, which 0
-// says, it stays in units of the cofactors. The end of what is written.
+// says, it stays in units of the matrix. The end of what is written.
 [[gnu::cold]] std::int16_t* see(const LightRecord& light, const Matrix& turned, std::uint32_t length,
                                 std::int16_t* direction) {
   for (int j = 0; j < 3; ++j) {
@@ -121,18 +127,25 @@ std::uint32_t length_of(const Matrix& turned) {
 
 [[gnu::cold]] LightRig::LightRig(const SceneRecord& scene, const Transform& transform)
     : scene_(&scene), grey_(is_grey(scene)), channel_(static_cast<std::uint8_t>(LightHue::channel(scene))) {
-  uniform_ = turn(transform, normal_matrix_);
+  take_shape(transform, normal_matrix_);  // what its cofactors are where it is uniform, but for their length
+  uniform_ = is_uniform(normal_matrix_);
+  if (!uniform_) {
+    Matrix shape;
+    take_shape(transform, shape);
+    cofactors(shape, normal_matrix_);
+  }
   const std::uint32_t length = uniform_ ? length_of(normal_matrix_) : 0;
   std::int16_t* direction = direction_[0];
   for (const LightRecord& light : scene.lights) direction = see(light, normal_matrix_, length, direction);
 }
 
 [[gnu::cold]] PlainLight::PlainLight(const SceneRecord& scene, const Transform& transform) {
-  Matrix turned;
-  fits_ = turn(transform, turned);
+  Matrix shape;
+  take_shape(transform, shape);
+  fits_ = is_uniform(shape) && !is_mirrored(shape);
   std::int16_t direction[3];
   const LightRecord& light = scene.lights[0];
-  see(light, turned, length_of(turned), direction);
+  see(light, shape, length_of(shape), direction);
   one_ = LightRig::One::of(direction, light.intensity[0], scene.ambient[0]);
 }
 

@@ -78,7 +78,7 @@ class LightRig {
   std::uint8_t channel_ = 0;               // LightHue::channel()
   bool uniform_ = true;                    // the transform only turns and scales evenly
   std::int16_t direction_[kMaxLights][3];  // in the mesh, Q2.14; scaled by 512 / 511 for Normal10's unit
-  std::int32_t normal_matrix_[3][3];       // cofactors, of 14 bits and a sign
+  std::int32_t normal_matrix_[3][3];       // what turns normals, of 14 bits and a sign
 };
 
 // The light of a plain scene (Budget::plain) as one instance's mesh sees it: LightRig::one(), where quick().
@@ -87,7 +87,7 @@ class PlainLight {
   constexpr PlainLight() : one_{}, fits_(false) {}
   PlainLight(const SceneRecord& scene, const Transform& transform);
 
-  // Whether the instance is turned and scaled evenly.
+  // Whether the instance is turned and scaled evenly, and not mirrored.
   bool fits() const { return fits_; }
   bool quick() const { return true; }
   bool single() const { return true; }
