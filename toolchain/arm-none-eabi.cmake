@@ -28,6 +28,10 @@ set(CMAKE_C_FLAGS_INIT "${spanline_cpu_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${spanline_cpu_flags}")
 set(CMAKE_ASM_FLAGS_INIT "${spanline_cpu_flags}")
 
+# What every count of this project was made with; debug information stays out of the image. An option of the command line
+# goes before it.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g" CACHE STRING "Flags of the compiler for firmware")
+
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

@@ -25,7 +25,7 @@ build_board() {
   folder=build/firmware/$1
   mkdir -p "$folder"
   cmake -S . -B "$folder" -G Ninja --toolchain toolchain/arm-none-eabi.cmake -DSPANLINE_BOARD="$1" \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -g" -DSPANLINE_HOST=OFF -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF \
+    -DCMAKE_BUILD_TYPE=Release -DSPANLINE_HOST=OFF -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF \
     -DSPANLINE_TOOL="$(pwd)/build/host/spanline" > "$folder.log" 2>&1 || { cat "$folder.log"; return 1; }
   [ -t 1 ] && quiet='' || quiet=--quiet
   # shellcheck disable=SC2086  # one option or none

@@ -1,5 +1,6 @@
 #include "budget/mcu_verbs.hpp"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
 #include <string>

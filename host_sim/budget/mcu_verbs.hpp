@@ -2,8 +2,9 @@
 // neither.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
+
+#include "sim/cli_app.hpp"
 
 namespace spanline::host {
 

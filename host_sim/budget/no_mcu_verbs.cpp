@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "budget/mcu_verbs.hpp"
 
 namespace spanline::host {

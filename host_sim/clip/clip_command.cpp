@@ -1,5 +1,6 @@
 #include "clip/clip_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "clip/clip_regions.hpp"
@@ -26,6 +27,8 @@ ClipCommand::ClipCommand(CLI::App& app)
       "the "
       "input has. Output rings follow RFC 7946.");
 }
+
+bool ClipCommand::chosen() const { return verb_->parsed(); }
 
 void ClipCommand::run() const {
   const ClippedRegions clipped = clip_regions(read_geojson(subject_), read_geojson(clip_));

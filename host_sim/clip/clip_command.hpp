@@ -1,8 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+#include "sim/cli_app.hpp"
 
 namespace spanline::host {
 
@@ -10,7 +11,7 @@ namespace spanline::host {
 class ClipCommand {
  public:
   explicit ClipCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws InputError.
   void run() const;

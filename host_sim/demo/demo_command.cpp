@@ -1,5 +1,6 @@
 #include "demo/demo_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "demo/boards.hpp"
@@ -79,6 +80,8 @@ DemoCommand::DemoCommand(CLI::App& app)
   panel_.add_to(*verb_);
   verb_->add_flag("--list", list_, "print the names of the demos, one a line");
 }
+
+bool DemoCommand::chosen() const { return verb_->parsed(); }
 
 void DemoCommand::run() const {
   if (list_) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "core/geom/screen.hpp"
+#include "sim/cli_app.hpp"
 #include "sim/panel_options.hpp"
 
 namespace spanline::host {
@@ -14,7 +14,7 @@ namespace spanline::host {
 class DemoCommand {
  public:
   explicit DemoCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;

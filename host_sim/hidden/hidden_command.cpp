@@ -1,5 +1,7 @@
 #include "hidden/hidden_command.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "assetc/input_error.hpp"
 #include "hidden/hidden_json.hpp"
 #include "hidden/hidden_svg.hpp"
@@ -19,6 +21,8 @@ HiddenCommand::HiddenCommand(CLI::App& app)
   verb_->add_option("--window", window_, "quarter the screen until a window has at most so many polygons");
   verb_->footer("At least one of --svg and --json is needed. A Gouraud face has the colour of its plane.");
 }
+
+bool HiddenCommand::chosen() const { return verb_->parsed(); }
 
 void HiddenCommand::run() const {
   if (!svg_ && !json_) throw UsageError("nothing to do: give --svg or --json");

@@ -8,7 +8,7 @@ namespace spanline::host {
 class HiddenCommand {
  public:
   explicit HiddenCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;

@@ -1,5 +1,6 @@
 #include "sim/assets_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
@@ -34,6 +35,8 @@ AssetsCommand::AssetsCommand(CLI::App& app)
   verb_->add_flag("--report", report_, "print what the tables occupy, and how many faces there were before merging");
   verb_->footer(kFooter);
 }
+
+bool AssetsCommand::chosen() const { return verb_->parsed(); }
 
 std::uint32_t AssetsCommand::merge_most() const {
   if (!merge_most_) return kMostMergedCorners;

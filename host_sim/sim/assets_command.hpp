@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "assetc/compile.hpp"
+#include "sim/cli_app.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::host {
@@ -13,7 +13,7 @@ namespace spanline::host {
 class AssetsCommand {
  public:
   explicit AssetsCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;

@@ -1,5 +1,6 @@
 #include "sim/exit_code.hpp"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "assetc/input_error.hpp"

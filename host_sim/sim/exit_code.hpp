@@ -1,7 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+#include "sim/cli_app.hpp"
 
 namespace spanline::host {
 

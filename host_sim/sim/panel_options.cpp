@@ -1,5 +1,7 @@
 #include "sim/panel_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "assetc/input_error.hpp"
 #include "sim/arguments.hpp"
 #include "sim/output_file.hpp"

@@ -1,11 +1,11 @@
 // --panel, --rotation, --scan-out and --spi-log, for every verb that can send its picture through a panel.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "sim/cli_app.hpp"
 #include "sim/panel_output.hpp"
 
 namespace spanline::host {

@@ -1,5 +1,6 @@
 #include "sim/render_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
@@ -51,7 +52,7 @@ Picture picture_of_ids(const Rendering& rendering) {
   return picture;
 }
 
-constexpr const char* kFooter =
+constexpr const char* kRenderFooter =
     "At least one of --out, --ids, --depth, --stats, --expect and --spi-log is needed. With --frames, frame 7 of F.png "
     "goes "
     "to "
@@ -85,8 +86,10 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   verb_->add_flag("--screen", on_screen_,
                   "the .obj is on the screen already: x, y in 1/16 px, z a depth from 0 to 65535");
   panel_.add_to(*verb_);
-  verb_->footer(kFooter);
+  verb_->footer(kRenderFooter);
 }
+
+bool RenderCommand::chosen() const { return verb_->parsed(); }
 
 void RenderCommand::check_outputs() const {
   if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !panel_.log_given()) {

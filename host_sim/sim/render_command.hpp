@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "assetc/compile.hpp"
+#include "sim/cli_app.hpp"
 #include "sim/engine.hpp"
 #include "sim/panel_options.hpp"
 #include "sim/scene_options.hpp"
@@ -18,7 +18,7 @@ namespace spanline::host {
 class RenderCommand {
  public:
   explicit RenderCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws UsageError, and InputError for what went wrong: a picture unlike the one that --expect names, too.
   void run() const;

@@ -1,5 +1,6 @@
 #include "sim/scene_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "assetc/camera.hpp"

@@ -1,11 +1,11 @@
 // The options that say what is seen: shared by the verbs that take a scene.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "assetc/scene_description.hpp"
+#include "sim/cli_app.hpp"
 
 namespace spanline::host {
 

@@ -1,5 +1,7 @@
 #include "sim/view_command.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "assetc/compile.hpp"
 #include "sim/window.hpp"
 
@@ -15,6 +17,8 @@ ViewCommand::ViewCommand(CLI::App& app)
   scene_.add_to(*verb_);
   verb_->footer("Drag to turn, wheel to zoom, space to start and stop the motion, S to save a picture, Esc to quit.");
 }
+
+bool ViewCommand::chosen() const { return verb_->parsed(); }
 
 void ViewCommand::run() const {
   refuse_without_window();

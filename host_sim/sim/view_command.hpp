@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "sim/cli_app.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::host {
@@ -10,7 +9,7 @@ namespace spanline::host {
 class ViewCommand {
  public:
   explicit ViewCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Returns when the window is closed. Throws UsageError where this build has no SDL2, InputError where there is no
   // display.

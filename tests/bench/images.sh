@@ -20,6 +20,6 @@ build_images() {
   for name in "$@"; do folders="$folders;$work/frames/$name"; done
   quiet cmake -G Ninja -S "$source/tests/bench/image" -B "$work/$cpu" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
     -DSPANLINE_BOARD="$source/tests/bench/board" -DSPANLINE_CPU="cortex-$cpu" -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_FRAMES="${folders#;}"
+    -DSPANLINE_FRAMES="${folders#;}"
   quiet cmake --build "$work/$cpu" -j 2 --target "$@"
 }

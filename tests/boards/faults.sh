@@ -15,7 +15,7 @@ build=$(cd "$2" && pwd)
 said() {
   log=$build/$1.log
   cmake -G Ninja -S "$source/tests/boards/image" -B "$build/$1" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
-    -DSPANLINE_BOARD="$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 > "$log" 2>&1 &&
+    -DSPANLINE_BOARD="$1" -DCMAKE_BUILD_TYPE=Release > "$log" 2>&1 &&
     cmake --build "$build/$1" -j 2 --target "$2" >> "$log" 2>&1 || { cat "$log"; exit 1; }
   machine=$(sed -n 's/.*SPANLINE_MACHINE \([^)]*\)).*/\1/p' "$source/firmware/boards/$1/board.cmake")
   printf 'machine=%s\nscreendump=\n' "$machine" > "$build/$1/board.sh"

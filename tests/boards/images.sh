@@ -17,7 +17,7 @@ demos=
 
 quiet() { "$@" > "$build.log" 2>&1 || { cat "$build.log"; exit 1; }; }
 quiet cmake -G Ninja -S "$source" -B "$build" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
-  -DSPANLINE_BOARD="$board" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -g" -DSPANLINE_HOST=OFF \
+  -DSPANLINE_BOARD="$board" -DCMAKE_BUILD_TYPE=Release -DSPANLINE_HOST=OFF \
   -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF -DSPANLINE_TOOL="$tools/spanline"
 quiet cmake --build "$build" -j 2
 

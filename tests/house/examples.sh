@@ -12,7 +12,8 @@ tool=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
 mkdir -p "$2"
 build=$(cd "$2" && pwd)
 
-# as_stranger EXAMPLE BUILD OPTION…: builds it in the folder BUILD.
+# as_stranger EXAMPLE BUILD OPTION…: builds it in the folder BUILD; with our warnings as errors the objects are those that the
+# tests' images have made before.
 as_stranger() {
   copy=$build/stranger/$1
   folder=$build/$2
@@ -20,7 +21,8 @@ as_stranger() {
   mkdir -p "$build/stranger"
   cp -R "$source/examples/$1" "$copy"
   shift 2
-  { cmake -G Ninja -S "$copy" -B "$folder" -DSPANLINE_DIR="$source" -DSPANLINE_TOOL="$tool" -DCMAKE_BUILD_TYPE=Release "$@" &&
+  { cmake -G Ninja -S "$copy" -B "$folder" -DSPANLINE_DIR="$source" -DSPANLINE_TOOL="$tool" -DSPANLINE_WERROR=ON \
+      -DCMAKE_BUILD_TYPE=Release "$@" &&
       cmake --build "$folder"; } > "$folder.log" 2>&1 || { cat "$folder.log"; exit 1; }
   ! grep 'warning:' "$folder.log" || { echo "$folder: warnings"; exit 1; }
 }

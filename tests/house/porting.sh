@@ -25,7 +25,7 @@ sed -i -e 's|"hal/panel/st7789.hpp"|"hal/panel/my_panel.hpp"|' -e "s|using Panel
 grep -q 'hal::MyPanel' firmware/boards/my-board/board.hpp
 
 cmake -G Ninja -S . -B build --toolchain toolchain/arm-none-eabi.cmake -DSPANLINE_BOARD=my-board -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_HOST=OFF -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF -DSPANLINE_IMAGES=cubes \
+  -DSPANLINE_HOST=OFF -DSPANLINE_TESTS=OFF -DSPANLINE_BENCHMARKS=OFF -DSPANLINE_IMAGES=cubes \
   -DSPANLINE_TOOL="$2" > log 2>&1 || { cat log; exit 1; }
 cmake --build build > log 2>&1 || { cat log; exit 1; }
 for made in elf bin hex map uf2; do [ -s "build/cubes.$made" ] || { echo "no cubes.$made"; exit 1; }; done

@@ -14,6 +14,6 @@ mkdir -p "$2"
 quiet() { "$@" > "$log" 2>&1 || { cat "$log"; exit 1; }; }
 log=$2.log
 quiet cmake -G Ninja -S "$1/tests/target/image" -B "$2" --toolchain "$1/toolchain/$toolchain.cmake" \
-  -DSPANLINE_BOARD="$1/tests/target/board" -DSPANLINE_CPU="$5" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 \
+  -DSPANLINE_BOARD="$1/tests/target/board" -DSPANLINE_CPU="$5" -DCMAKE_BUILD_TYPE=Release \
   -DSPANLINE_SCENES="$3" -DSPANLINE_TOOL="$4"
 quiet cmake --build "$2" -j 2 --target "$6"

@@ -1,5 +1,6 @@
 #include "frames/pieces.hpp"
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
 #include <iomanip>
@@ -112,6 +113,8 @@ PiecesCommand::PiecesCommand(CLI::App& app)
   verb_->add_option("folder", folder_, "where frames/ and the images of each core are")->required();
   verb_->add_option("cpu", cpus_, "m0plus, m3, m4")->required();
 }
+
+bool PiecesCommand::chosen() const { return verb_->parsed(); }
 
 void PiecesCommand::run() const {
   std::ostringstream head("| |", std::ios::ate), rule("|---|", std::ios::ate);

@@ -1,9 +1,10 @@
 // What each stage of the edge walker's frames costs for a vertex, a face, an edge, a span, a pixel.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "sim/cli_app.hpp"
 
 namespace spanline::bench {
 
@@ -12,7 +13,7 @@ namespace spanline::bench {
 class PiecesCommand {
  public:
   explicit PiecesCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws InputError, also where a stage is not found in an image.
   void run() const;

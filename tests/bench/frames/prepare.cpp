@@ -1,5 +1,6 @@
 #include "frames/prepare.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -78,6 +79,8 @@ PrepareCommand::PrepareCommand(CLI::App& app)
   verb_->add_option("--point-lines", point_lines_, "draw patches as points, in bands of so many lines (default: dice)");
   verb_->add_option("--memory", memory_, "bytes for everything: pools, line buffers, stack (default: what it takes)");
 }
+
+bool PrepareCommand::chosen() const { return verb_->parsed(); }
 
 void PrepareCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));

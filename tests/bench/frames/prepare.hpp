@@ -1,11 +1,11 @@
 // A scene made ready for an image of tests/bench/image.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
 #include "frames/units.hpp"
+#include "sim/cli_app.hpp"
 #include "sim/scene_options.hpp"
 
 namespace spanline::bench {
@@ -27,7 +27,7 @@ Expected read_expected(const std::string& folder);
 class PrepareCommand {
  public:
   explicit PrepareCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;

@@ -1,5 +1,6 @@
 #include "frames/prices.hpp"
 
+#include <CLI/CLI.hpp>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -91,6 +92,8 @@ PricesCommand::PricesCommand(CLI::App& app)
   verb_->add_option("--prices", prices_, "the file of prices")->required();
   verb_->add_option("--frames", frames_, "the file of counted frames")->required();
 }
+
+bool PricesCommand::chosen() const { return verb_->parsed(); }
 
 void PricesCommand::run() const {
   std::vector<Scene> scenes;

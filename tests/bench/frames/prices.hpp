@@ -1,9 +1,10 @@
 // What budgets' sweep expects of the edge walker's frames, fitted to counted ones.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "sim/cli_app.hpp"
 
 namespace spanline::bench {
 
@@ -13,7 +14,7 @@ namespace spanline::bench {
 class PricesCommand {
  public:
   explicit PricesCommand(CLI::App& app);
-  bool chosen() const { return verb_->parsed(); }
+  bool chosen() const;
 
   // Throws InputError where an image is not there or draws another picture.
   void run() const;

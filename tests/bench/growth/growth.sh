@@ -18,7 +18,7 @@ quiet() { "$@" > "$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; 
 list=$(echo "$windowed $whole" | tr ' ' ';')
 quiet cmake -G Ninja -S "$source/tests/bench/growth/image" -B "$work/images" --toolchain "$source/toolchain/arm-none-eabi.cmake" \
   -DSPANLINE_BOARD="$source/tests/bench/board" -DSPANLINE_CPU=cortex-m4 -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE=-O2 -DSPANLINE_GROWTHS="$list"
+  -DSPANLINE_GROWTHS="$list"
 # shellcheck disable=SC2046  # a list of targets
 quiet cmake --build "$work/images" -j 2 --target $(for size in $windowed $whole; do echo "growth-$size"; done)
 
