@@ -246,7 +246,7 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("looks", budget.looks);
     field("tables", budget.tables);
     text += "    .planes = " + std::to_string(budget.planes);
-    if (budget.plain && budget.band_vertices == 0) text += ",\n    .plain = true";
+    if (budget.plain) text += ",\n    .plain = true";
   } else {
     field("polygons", budget.polygons);
     field("edges", budget.edges);

@@ -27,6 +27,8 @@ struct Line {
   std::uint8_t heads[LookChains::kMostHeads];
   FaceLook looks[kFaces + 1];
   FaceColor colors[kPlaces];
+  std::uint16_t dipped;  // the material that the brush of a band is of
+  int learned;
   alignas(4) std::uint16_t pixels[kWidest];
 };
 
@@ -50,31 +52,66 @@ void make_edges(Random& random, int width, ActiveEdge* edges, int count) {
   edges[count].x = ActiveEdge::kNever;
 }
 
-constexpr std::uint16_t kKnown = 7;  // the material
-std::uint16_t colors[ColorTable::kEntries];
+constexpr std::uint16_t kKnown = 7, kOther = 3;  // the materials
+std::uint16_t colors[ColorTable::kEntries], other_colors[ColorTable::kEntries];
+const std::uint16_t* colors_of(std::uint16_t material) { return material == kKnown ? colors : other_colors; }
 
 enum class Kind { flat, cells, smooth, smooth_cells, band_flat, band_smooth };
 constexpr bool knows_all(Kind kind) { return kind == Kind::flat || kind == Kind::cells; }
+constexpr bool learns(Kind kind) { return kind == Kind::band_flat || kind == Kind::band_smooth; }
 constexpr bool has_slots(Kind kind) { return kind == Kind::smooth || kind == Kind::smooth_cells; }
 constexpr bool is_smooth(Kind kind) { return has_slots(kind) || kind == Kind::band_smooth; }
 
+// What a band's walk does not know is learned.
+std::uint16_t learn_color(void* from, FaceId face) {
+  Line& line = *static_cast<Line*>(from);
+  ++line.learned;
+  FaceColor& place = line.colors[face_place(face) % kPlaces];
+  place = {face, static_cast<std::uint16_t>(face * 40503u)};
+  return place.color;
+}
+const FaceLook& learn_look(Line& line, FaceId face) {
+  ++line.learned;
+  const int at = face == 0 ? kFaces : face;
+  line.heads[LookChains::head_of(face)] = static_cast<std::uint8_t>(at);
+  FaceLook& look = line.looks[at];
+  look.face = face;
+  if (look.smooth()) line.dipped = look.material;
+  return look;
+}
+struct Learner {
+  Line& line;
+  BandBrush& brush;
+  static void learn(void* from, FaceId face) {
+    const Learner& to = *static_cast<Learner*>(from);
+    if (learn_look(to.line, face).smooth()) to.brush.dip(to.line.dipped, colors_of(to.line.dipped));
+  }
+};
+
 // The colour of a pixel; false where the walk does not know it.
-bool color_of(const Line& line, Kind kind, FaceId face, std::int32_t x, std::uint32_t y, std::uint16_t& color) {
+bool color_of(Line& line, Kind kind, FaceId face, std::int32_t x, std::uint32_t y, std::uint16_t& color) {
   if (kind == Kind::band_flat) {
     const std::uint32_t place = face_place(face) % kPlaces;
-    color = line.colors[place].color;
-    return line.colors[place].face == face;
+    color = line.colors[place].face == face ? line.colors[place].color : learn_color(&line, face);
+    return true;
+  }
+  if (kind == Kind::band_smooth) {
+    const FaceLook* look = &line.looks[line.heads[LookChains::head_of(face)]];
+    if (look->face != face || (look->smooth() && look->material != line.dipped)) look = &learn_look(line, face);
+    color =
+        look->smooth() ? colors_of(line.dipped)[look->plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look->color();
+    return true;
   }
   color = line.words[face];
   if (knows_all(kind) || (has_slots(kind) && face == 0)) return true;
-  const FaceLook& look = line.looks[has_slots(kind) ? line.slots[face] : line.heads[LookChains::head_of(face)]];
+  const FaceLook& look = line.looks[line.slots[face]];
   if (look.face != face) return false;
   color = look.material == kKnown ? colors[look.plane.at(static_cast<std::uint32_t>(x), y) >> 26] : look.color();
   return look.material == kKnown || look.material == FaceLook::kNoMaterial;
 }
 
 // Pixel by pixel, edge by edge.
-WalkStop walk_slowly(LineWalk& walk, const Line& line, std::uint32_t y, Kind kind, FaceId shown) {
+WalkStop walk_slowly(LineWalk& walk, Line& line, std::uint32_t y, Kind kind, FaceId shown) {
   for (;; shown = 0) {
     if (std::min(walk.edge->x, walk.other->x) > walk.side) return WalkStop::side;
     if (walk.other->x < walk.edge->x) {
@@ -155,6 +192,7 @@ Line fast, slow;
 // Looks of which some are another face's, and some of another material.
 void make_looks(Random& random, Line& line) {
   for (std::uint16_t& color : colors) color = static_cast<std::uint16_t>(random.below(0x10000));
+  for (std::uint16_t& color : other_colors) color = static_cast<std::uint16_t>(random.below(0x10000));
   line.slots[0] = 0;
   for (FaceId face = 1; face <= kFaces; ++face) {
     line.slots[face] = static_cast<std::uint8_t>(face);
@@ -162,7 +200,7 @@ void make_looks(Random& random, Line& line) {
     line.looks[face] = {{part(), part() >> 6, part() >> 6}, face, kKnown};
     if (random.percent(20)) line.looks[face] = FaceLook::flat(static_cast<std::uint16_t>(random.below(0x10000)));
     line.looks[face].face = random.percent(95) ? face : FaceId{1};
-    if (random.percent(5)) line.looks[face].material = 3;
+    if (random.percent(5)) line.looks[face].material = kOther;
   }
 }
 
@@ -213,7 +251,7 @@ WalkStop start_fast(LineWalk& walk, Kind kind) {
 }
 
 void compare(Kind kind) {
-  int stops[5] = {0, 0, 0, 0, 0};
+  int stops[5] = {0, 0, 0, 0, 0}, learned = 0;
   for (std::uint64_t seed = 0; seed < oracle::rounds(50000u); ++seed) {
     Random random(seed);
     const int width = random.between(1, kWidest - 8);
@@ -225,6 +263,8 @@ void compare(Kind kind) {
     if (is_smooth(kind)) make_looks(random, fast);
     if (kind == Kind::band_flat) make_places(random, fast);
     if (kind == Kind::band_smooth) make_heads(random, fast);
+    fast.dipped = kKnown;
+    fast.learned = 0;
     for (int i = 0; i <= kFaces && kind == Kind::cells; ++i) {
       fast.words[i] = fast.words[i & ~1];
       fast.cells[i / 2] = {fast.words[i], {}};
@@ -236,7 +276,10 @@ void compare(Kind kind) {
     slow = fast;
     const auto y = static_cast<std::uint16_t>(random.below(240));
     SmoothBrush brush(fast.looks, {fast.slots});
-    BandBrush band_brush(fast.looks, {fast.heads});
+    LookChains chains({fast.looks, kFaces}, {fast.heads, LookChains::kMostHeads - 1}, {});
+    BandBrush band_brush;
+    Learner learner{fast, band_brush};
+    band_brush = BandBrush(chains, Learner::learn, &learner);
     GridBrush<Cell> grid_brush(fast.looks, {fast.cells});
     if (has_slots(kind)) {
       brush.begin_line(y, fast.words[0]);
@@ -246,7 +289,7 @@ void compare(Kind kind) {
     brush.dip(kKnown, colors);
     band_brush.dip(kKnown, colors);
     grid_brush.dip(kKnown, colors);
-    const FaceColors face_colors({fast.colors, kPlaces - 1});
+    const FaceColors face_colors({fast.colors, kPlaces - 1}, learn_color, &fast);
     std::copy(std::begin(fast.looks), std::end(fast.looks), slow.looks);
     LineWalk at_fast = begin(fast, width, alive), at_slow = begin(slow, width, alive);
     if (kind == Kind::cells) at_fast.faces = fast.cells;
@@ -260,6 +303,8 @@ void compare(Kind kind) {
       const WalkStop slowly = walk_slowly(at_slow, slow, y, kind, shown);
       ASSERT_TRUE(stop == slowly || (stop == WalkStop::end && slowly == WalkStop::side)) << "seed " << seed;
       ++stops[static_cast<unsigned>(stop)];
+      ASSERT_EQ(fast.learned, slow.learned) << "seed " << seed;
+      learned += fast.learned;
       if (stop == WalkStop::end) {
         expect_ended(fast, at_fast, slow, at_slow, width);
       } else {
@@ -275,7 +320,8 @@ void compare(Kind kind) {
       }
     }
   }
-  for (int i = 0; i < (knows_all(kind) ? 3 : 4); ++i) EXPECT_GT(stops[i], 50) << i;
+  for (int i = 0; i < (knows_all(kind) || learns(kind) ? 3 : 4); ++i) EXPECT_GT(stops[i], 50) << i;
+  EXPECT_EQ(learned > 50, learns(kind));
 }
 
 TEST(LineWalk, PaintsAndStepsAsPixelByPixel) { compare(Kind::flat); }
@@ -286,9 +332,9 @@ TEST(LineWalk, PaintsSmoothSpansAsPixelByPixel) { compare(Kind::smooth); }
 
 TEST(LineWalk, PaintsTheSmoothCellsOfGridsAsPixelByPixel) { compare(Kind::smooth_cells); }
 
-TEST(LineWalk, PaintsWhatIsKnownOfFlatFacesAsPixelByPixel) { compare(Kind::band_flat); }
+TEST(LineWalk, PaintsFlatFacesOfBandsAsPixelByPixel) { compare(Kind::band_flat); }
 
-TEST(LineWalk, PaintsWhatIsKnownOfSmoothFacesAsPixelByPixel) { compare(Kind::band_smooth); }
+TEST(LineWalk, PaintsSmoothFacesOfBandsAsPixelByPixel) { compare(Kind::band_smooth); }
 
 }  // namespace
 }  // namespace spanline::test

@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-template <bool kTaps, Paint kPaint>
+template <bool kTaps, Paint kPaint, bool kPlain = false>
 class BandLines {
  public:
   explicit BandLines(const FrameStorage& storage);
@@ -56,19 +56,42 @@ class BandLines {
   }
 
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
-  bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
+  // What faces look like: of what the lines are painted with only that is there.
+  struct Looks {
+    SmoothCache cache;
+    LookChains chains;
+    BandBrush brush;
+    bool on() const { return cache.on(); }
+  };
+  struct NoLooks {
+    static constexpr bool on() { return false; }
+  };
+  static constexpr bool kSmooths = kPaint != Paint::flat_words;
+  bool smooth() const { return kPaint == Paint::any ? looks_.on() : kSmooths; }
   void begin_line(std::uint16_t line, std::uint16_t background) {
-    smooth() ? brush_.begin_line(line) : colors_.put(0, background);
+    if constexpr (kSmooths) {
+      if (smooth()) {
+        looks_.brush.begin_line(line);
+        if (background != background_) looks_.chains.put(FaceLook::flat(background));
+        background_ = background;
+        return;
+      }
+    }
+    background_ = background;
+    colors_.put(0, background);
   }
-  // Of a face, where all are flat.
-  std::uint16_t color(FaceId face) {
-    if (!colors_.knows(face)) [[unlikely]]
-      learn_color(face);
-    return colors_[face];
+  // Of a face, where all are flat; for colors_.
+  static std::uint16_t learn_color(void* self, FaceId face);
+  // Templates, so that a frame without looks does not have them.
+  template <typename AnyLooks>
+  const std::uint16_t* colors_of(AnyLooks& looks, std::uint16_t material) {
+    return looks.cache.template colors<kPlain>(material, scene_.scene());
   }
-  [[gnu::noinline]] void learn_color(FaceId face);
-  const std::uint16_t* colors_of(std::uint16_t material) { return smooth_.colors(material, scene_.scene()); }
-  [[gnu::noinline]] void make_look(FaceId face, FaceLook& look);
+  // For the brush.
+  template <typename AnyLooks>
+  static void learn_look(void* self, FaceId face);
+  template <typename AnyLooks>
+  [[gnu::noinline]] void make_look(AnyLooks& looks, FaceId face, FaceLook& look);
   std::uint16_t flat_color(FaceId face);
   void bring_to_hand(FaceId face) {
     if (std::uint32_t{face} - at_hand_.first >= at_hand_.count) [[unlikely]]
@@ -76,7 +99,8 @@ class BandLines {
   }
   [[gnu::noinline]] void turn_to(FaceId face);
   // As the instance of `points_` sees them.
-  const LightRig& lights() { return lights_.of(scene_.scene(), points_.index(), points_.instance().transform); }
+  using Lights = std::conditional_t<kPlain, PlainLight, LightRig>;
+  const Lights& lights() { return lights_.of(scene_.scene(), points_.index(), points_.instance().transform); }
   bool give_up(bool overlaps);
 
   SceneView scene_;
@@ -87,11 +111,9 @@ class BandLines {
   PoolRef<ScreenXY> culled_;  // of a mesh, while its faces are culled
   BitPool drawn_;             // faces that are seen from their fronts
   FaceColors colors_;
-  SmoothCache smooth_;
-  LookChains looks_;
-  BandBrush brush_;
+  [[no_unique_address]] std::conditional_t<kSmooths, Looks, NoLooks> looks_;
   DepthRows rows_;
-  KeptLights lights_;
+  Kept<Lights> lights_;
   // The group of a face that was lit last.
   struct {
     std::uint32_t before = 0;  // the id of its mesh's first face
@@ -99,13 +121,14 @@ class BandLines {
     std::uint16_t count = 0;   // of faces
     std::uint16_t material = 0;
     const MaterialRecord* look = nullptr;
-    // Where one light tells how they look: the normals, of flat ones by ids, where it has no hue either.
+    // Where one light tells how they look, that of lights_: the normals, of flat ones by ids, where it has no hue
+    // either.
     const Normal10* normals = nullptr;
-    LightRig::One one{};  // that
   } at_hand_;
   EdgeWalker walker_;
-  std::uint16_t line_ = 0;  // to be made next
-  std::uint16_t end_ = 0;   // of the band
+  std::int32_t background_ = 0;  // of the line, if it has begun in this frame, else below 0
+  std::uint16_t line_ = 0;       // to be made next
+  std::uint16_t end_ = 0;        // of the band
   std::uint16_t bands_ = 0;
   Paint found_ = Paint::any;
   bool crowded_ = false;  // the band is a line whose vertices are too many to be kept

@@ -7,8 +7,8 @@
 
 namespace spanline {
 
-template <bool kTaps, Paint kPaint>
-struct BandLines<kTaps, kPaint>::Sink {
+template <bool kTaps, Paint kPaint, bool kPlain>
+struct BandLines<kTaps, kPaint, kPlain>::Sink {
   BandLines& mesh;
   Painter& painter;
   const SpanTap& tap;
@@ -27,14 +27,7 @@ struct BandLines<kTaps, kPaint>::Sink {
       return true;
     });
   }
-  // Sees to the look of a face, and that the brush knows it where it is smooth.
-  void learn(FaceId face) const {
-    if (!mesh.smooth()) return face == 0 ? mesh.begin_line(line, painter.background()) : mesh.learn_color(face);
-    const FaceLook& look = mesh.looks_.look(face, [this, face](FaceLook& made) {
-      face == 0 ? void(made = FaceLook::flat(painter.background())) : mesh.make_look(face, made);
-    });
-    if (look.smooth() && !mesh.brush_.knows(face, look)) mesh.brush_.dip(look.material, mesh.colors_of(look.material));
-  }
+  void learn(FaceId) const {}  // the walks do
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) report_alone(left, right, face);
     paint(left, right, face);
@@ -56,25 +49,28 @@ struct BandLines<kTaps, kPaint>::Sink {
   [[gnu::noinline]] void paint(std::int32_t left, std::int32_t right, FaceId face) const {
     const auto from = static_cast<std::uint32_t>(left), to = static_cast<std::uint32_t>(right);
     if (face == 0) return painter.fill(from, to, painter.background());
-    if (!mesh.smooth()) return painter.fill(from, to, mesh.color(face));
-    learn(face);
-    const FaceLook& look = mesh.brush_.look(face);
-    if (!look.smooth()) return painter.fill(from, to, look.color());
-    painter.smooth(from, to, look.plane, mesh.brush_.colors());
+    if constexpr (kSmooths) {
+      if (mesh.smooth()) {
+        const FaceLook& look = mesh.looks_.brush.learned(face);
+        return look.smooth() ? painter.smooth(from, to, look.plane, mesh.looks_.brush.colors())
+                             : painter.fill(from, to, look.color());
+      }
+    }
+    painter.fill(from, to, mesh.colors_[face]);
   }
   void report_alone(std::int32_t left, std::int32_t right, FaceId face) const {
     report(left, right, face, face != 0 ? mesh.plane(face).on_line(line) : DepthRamp{});
   }
   void report(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     const std::uint16_t payload = mesh.smooth() ? std::uint16_t{0}
-                                  : face != 0   ? mesh.color(face)
+                                  : face != 0   ? mesh.colors_[face]
                                                 : painter.background();
     tap.tell(line, left, right, static_cast<std::uint16_t>(face - 1), payload, ramp);
   }
 };
 
-template <bool kTaps, Paint kPaint>
-struct BandLines<kTaps, kPaint>::Planes {
+template <bool kTaps, Paint kPaint, bool kPlain>
+struct BandLines<kTaps, kPaint, kPlain>::Planes {
   BandLines& mesh;
 
   DepthPlane operator()(FaceId face) const { return mesh.plane(face); }
@@ -82,25 +78,27 @@ struct BandLines<kTaps, kPaint>::Planes {
   FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const { return mesh.rows_.nearer(a, b, cache); }
 };
 
-template <bool kTaps, Paint kPaint>
-BandLines<kTaps, kPaint>::BandLines(const FrameStorage& storage)
+template <bool kTaps, Paint kPaint, bool kPlain>
+BandLines<kTaps, kPaint, kPlain>::BandLines(const FrameStorage& storage)
     : screen_(storage.screen),
       vertices_(storage.bands.vertices, storage.bands.keys, storage.bands.buckets),
       culled_(storage.mesh.walker.points),
       drawn_(storage.bands.drawn),
-      colors_(storage.bands.colors),
-      smooth_(storage.smooth, storage.screen.format),
-      looks_(storage.smooth.looks, storage.bands.heads, storage.bands.links),
+      colors_(storage.bands.colors, learn_color, this),
       walker_(storage.mesh.walker, storage.screen) {
+  if constexpr (kSmooths) {
+    looks_.cache = SmoothCache(storage.smooth, storage.screen.format);
+    looks_.chains = LookChains(storage.smooth.looks, storage.bands.heads, storage.bands.links);
+  }
   if constexpr (kPaint == Paint::any) {
     if (storage.screen.format == PixelFormat::rgb565) found_ = smooth() ? Paint::smooth_words : Paint::flat_words;
   }
 }
 
-template <bool kTaps, Paint kPaint>
+template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename Changes>
-Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
-                                       Changes& changes) {
+Status BandLines<kTaps, kPaint, kPlain>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
+                                               Changes& changes) {
   if (ready_ && changes.still() && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_)
     return {};
   ready_ = false;
@@ -109,8 +107,12 @@ Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
   if (const Status status = check(); !status.ok()) return status;
   clear(top);
   for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
-    if ((at.instance().flags & InstanceRecord::kHidden) == 0 && !cull(at)) {
-      return beyond_view(at.index());
+    if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;
+    if (!cull(at)) return beyond_view(at.index());
+    if constexpr (kPlain) {
+      if (!lights().fits() || (!smooth() && at.mesh().face_normals.empty())) {
+        return bad_argument("plain", "transform or normals", 0, at.index());
+      }
     }
   }
   begin_lines(top);
@@ -120,26 +122,32 @@ Status BandLines<kTaps, kPaint>::begin(const SceneView& scene, const CameraRecor
 }
 
 // What the edge walker cannot draw, or not with the pools it has.
-template <bool kTaps, Paint kPaint>
-Status BandLines<kTaps, kPaint>::check() const {
+template <bool kTaps, Paint kPaint, bool kPlain>
+Status BandLines<kTaps, kPaint, kPlain>::check() const {
   if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
-  if (smooth() && !smooth_.on()) return pool_exhausted("looks", 0, 1, 0);
+  if (smooth() && !looks_.on()) return pool_exhausted("looks", 0, 1, 0);
   if (scene_.vertex_count() > vertices_.capacity()) {
     return pool_exhausted("vertices", 0, scene_.vertex_count(), vertices_.capacity());
   }
-  const std::uint32_t faces =
-      smooth() && looks_.most_faces() < drawn_.capacity() ? looks_.most_faces() : drawn_.capacity();
+  std::uint32_t faces = drawn_.capacity();
+  if constexpr (kSmooths) {
+    if (smooth() && looks_.chains.most_faces() < faces) faces = looks_.chains.most_faces();
+  }
   if (scene_.face_count() > faces) return pool_exhausted("facets", 0, scene_.face_count(), faces);
   if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
-  if (smooth()) {
-    if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
+  if constexpr (kPlain) {
+    return scene_.not_plain() == nullptr ? Status{} : bad_argument("plain", scene_.not_plain());
+  } else {
+    if (smooth()) {
+      if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
+    }
+    return check_meshes(scene_);
   }
-  return check_meshes(scene_);
 }
 
 // Forgets the frame before. What may lie over points that are culled is that until begin_lines().
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void BandLines<kTaps, kPaint, kPlain>::clear(std::uint16_t top) {
   lights_.forget();
   at_hand_ = {};
   new (&points_) InstancePoints(scene_.scene(), camera_, screen_);
@@ -149,31 +157,35 @@ void BandLines<kTaps, kPaint>::clear(std::uint16_t top) {
   bands_ = 0;
 }
 
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::begin_lines(std::uint16_t top) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void BandLines<kTaps, kPaint, kPlain>::begin_lines(std::uint16_t top) {
   colors_.clear();
-  smooth_.clear();
-  if (smooth()) {
-    looks_.clear();
-    brush_ = BandBrush(looks_.looks(), {looks_.heads()});
-  }
   walker_.begin();
-  smooth() ? walker_.paint_with(nullptr, &brush_) : walker_.paint_with(nullptr, &colors_);
+  walker_.paint_with(nullptr, &colors_);
+  if constexpr (kSmooths) {
+    if (smooth()) {
+      looks_.cache.clear();
+      looks_.chains.clear();
+      looks_.brush = BandBrush(looks_.chains, learn_look<Looks>, this);
+      walker_.paint_with(nullptr, &looks_.brush);
+    }
+  }
+  background_ = -1;
   line_ = top;
   plan(top);
 }
 
 // Notes the faces of an instance that are seen from their fronts, and their vertices. False where a vertex lies out of
 // the view, or fronts have become backs.
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::cull(const InstanceCursor& at) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::cull(const InstanceCursor& at) {
   bool surely;
   if (!points_.enter(at, rows_, surely)) return false;
   return at.mesh().positions.size() <= culled_.capacity() ? cull_placed(surely) : cull_by_places(surely);
 }
 
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::cull_placed(bool surely) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::cull_placed(bool surely) {
   if (!surely && !points_.all_inside()) return false;
   ScreenXY* const points = culled_.sink() + 1;
   points_.place_all(points);
@@ -182,8 +194,8 @@ bool BandLines<kTaps, kPaint>::cull_placed(bool surely) {
 }
 
 // Where there is no room for the mesh's vertices those met lately are kept where the bands' will be.
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::cull_by_places(bool surely) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::cull_by_places(bool surely) {
   vertices_.forget_places();
   bool inside = true;
   const auto project = [&](std::uint32_t vertex, BandVertex & kept) __attribute__((noinline)) {
@@ -203,9 +215,9 @@ bool BandLines<kTaps, kPaint>::cull_by_places(bool surely) {
 }
 
 // place(vertex) is where a vertex of the mesh lies.
-template <bool kTaps, Paint kPaint>
+template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename Place>
-void BandLines<kTaps, kPaint>::cull_by(const Place& place) {
+void BandLines<kTaps, kPaint, kPlain>::cull_by(const Place& place) {
   const MeshRecord& mesh = points_.mesh();
   const BandVertices::Mesh vertices(vertices_, points_.first_vertex());
   BitPool drawn = drawn_;
@@ -222,20 +234,16 @@ void BandLines<kTaps, kPaint>::cull_by(const Place& place) {
 }
 
 // Files the vertices of the longest band from `top` on that they fit.
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::plan(std::uint16_t top) {
-  vertices_.begin_band(top);
-  const std::uint32_t end = vertices_.count();
-  for (std::uint32_t vertex = vertices_.first(); (vertex = vertices_.next_to_file(vertex)) != end; ++vertex) {
-    vertices_.file(vertex, project(vertex));
-  }
+template <bool kTaps, Paint kPaint, bool kPlain>
+void BandLines<kTaps, kPaint, kPlain>::plan(std::uint16_t top) {
+  vertices_.begin_band(top, [this](std::uint32_t vertex) { return project(vertex); });
   crowded_ = vertices_.end() == top;
   end_ = static_cast<std::uint16_t>(crowded_ ? top + 1 : vertices_.end());
   ++bands_;
 }
 
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::start_edges(std::int32_t line) {
   if (!crowded_ && vertices_.is_empty(line)) return true;
   BandStart start;
   start.line = line;
@@ -243,7 +251,7 @@ bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
   if (!crowded_) {
     if (!start_fans(start, vertices_.first_of(line))) return false;
   } else {
-    const std::uint32_t end = vertices_.count();
+    const std::uint32_t end = vertices_.last();
     for (std::uint32_t vertex = vertices_.first(); (vertex = vertices_.next_to_reach(vertex, line)) != end; ++vertex) {
       const ScreenXY at = project(vertex);
       if (vertices_.first_line(at) != line) continue;
@@ -257,8 +265,8 @@ bool BandLines<kTaps, kPaint>::start_edges(std::int32_t line) {
 
 // Starts the edges that run down from a vertex that the lines have come to, and from those after it; false where there
 // is no room. Those that run up come from vertices that do not wait any more.
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::start_fans(BandStart& start, std::uint32_t first) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::start_fans(BandStart& start, std::uint32_t first) {
   start.band = vertices_.band();
   start.vertex = first;
   do {
@@ -287,8 +295,8 @@ bool BandLines<kTaps, kPaint>::start_fans(BandStart& start, std::uint32_t first)
 }
 
 // Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::start_crowded(BandStart& start) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::start_crowded(BandStart& start) {
   std::uintptr_t needed = 0;
   start.each_to_start([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
   if (needed > start.room()) return false;
@@ -301,32 +309,32 @@ bool BandLines<kTaps, kPaint>::start_crowded(BandStart& start) {
   return true;
 }
 
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::run_again(ActiveEdge& edge, std::int32_t line) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::run_again(ActiveEdge& edge, std::int32_t line) {
   if ((edge.rest & ActiveEdge::kTall) == 0) return false;
   ScreenXY at[3];
   corners(EdgeWalker::face_of_tall(edge), at);
   return EdgeWalker::run_tall_again(edge, line, at);
 }
 
-template <bool kTaps, Paint kPaint>
-DepthPlane BandLines<kTaps, kPaint>::plane(FaceId face) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+DepthPlane BandLines<kTaps, kPaint, kPlain>::plane(FaceId face) {
   ScreenXY at[3];
   corners(face, at);
   return rows_.plane(face - 1u, at);
 }
 
 // On the screen; the face's instance becomes that of `points_`.
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::corners(FaceId face, ScreenXY (&at)[3]) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void BandLines<kTaps, kPaint, kPlain>::corners(FaceId face, ScreenXY (&at)[3]) {
   points_.to_face(face - 1u);
   const std::uint16_t* const corner = points_.mesh().corners.data() + 3 * (face - 1u - points_.first_face());
   for (unsigned i = 0; i < 3; ++i) at[i] = place(corner[i]);
 }
 
 // The face's group becomes the one at hand.
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+void BandLines<kTaps, kPaint, kPlain>::turn_to(FaceId face) {
   points_.to_face(face - 1u);
   const MeshRecord& mesh = points_.mesh();
   const std::uint32_t before = points_.first_face() + 1;
@@ -334,11 +342,11 @@ void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
   while (face - before - group->first_face >= group->face_count) ++group;
   const std::uint16_t number = material_of(points_.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
-  const LightRig& rig = lights();
+  const Lights& rig = lights();
   const bool smooth_ones = smooth() && material.shading == MaterialRecord::kGouraud;
   const bool quick = smooth_ones ? rig.single()
                                  : material.shading != MaterialRecord::kUnlit && rig.quick() &&
-                                       !mesh.face_normals.empty() && screen_.format == PixelFormat::rgb565;
+                                       !mesh.face_normals.empty() && (kPlain || screen_.format == PixelFormat::rgb565);
   at_hand_ = {before,
               before + group->first_face,
               group->face_count,
@@ -346,32 +354,59 @@ void BandLines<kTaps, kPaint>::turn_to(FaceId face) {
               &material,
               !quick        ? nullptr
               : smooth_ones ? mesh.vertex_normals.data()
-                            : mesh.face_normals.data() - before,
-              quick ? rig.one() : LightRig::One{}};
+                            : mesh.face_normals.data() - before};
 }
 
 // Of a face that is at hand, drawn flat.
-template <bool kTaps, Paint kPaint>
-std::uint16_t BandLines<kTaps, kPaint>::flat_color(FaceId face) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+std::uint16_t BandLines<kTaps, kPaint, kPlain>::flat_color(FaceId face) {
   const MaterialRecord& material = *at_hand_.look;
-  if (at_hand_.normals != nullptr) return lit_rgb565_wire(material.color, at_hand_.one.sum(at_hand_.normals[face]));
+  if (at_hand_.normals != nullptr) {
+    return lit_rgb565_wire(material.color, lights_.last().one().sum(at_hand_.normals[face]));
+  }
   points_.to_face(face - 1u);
   const std::uint32_t number = face - at_hand_.before;
   const MeshRecord& mesh = points_.mesh();
-  const Rgb8 color = material.shading == MaterialRecord::kUnlit
-                         ? material.color
-                         : facet_color(mesh, number, mesh.corners[3 * number], material, lights(), false);
-  return flat_payload(screen_.format, color);
+  if constexpr (kPlain) {
+    const LightRig::One light = lights().on(material);
+    return lit_rgb565_wire(material.color, light.sum(facet_normal(mesh, number, mesh.corners[3 * number])));
+  } else {
+    const Rgb8 color = material.shading == MaterialRecord::kUnlit
+                           ? material.color
+                           : facet_color(mesh, number, mesh.corners[3 * number], material, lights(), false);
+    return flat_payload(screen_.format, color);
+  }
 }
 
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::learn_color(FaceId face) {
-  bring_to_hand(face);
-  colors_.put(face, flat_color(face));
+template <bool kTaps, Paint kPaint, bool kPlain>
+std::uint16_t BandLines<kTaps, kPaint, kPlain>::learn_color(void* self, FaceId face) {
+  BandLines& mesh = *static_cast<BandLines*>(self);
+  auto color = static_cast<std::uint16_t>(mesh.background_);
+  if (face != 0) [[likely]] {
+    mesh.bring_to_hand(face);
+    color = mesh.flat_color(face);
+  }
+  mesh.colors_.put(face, color);
+  return color;
 }
 
-template <bool kTaps, Paint kPaint>
-void BandLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+template <typename AnyLooks>
+void BandLines<kTaps, kPaint, kPlain>::learn_look(void* self, FaceId face) {
+  BandLines& mesh = *static_cast<BandLines*>(self);
+  AnyLooks& looks = mesh.looks_;
+  const FaceLook& look = looks.chains.look(face, [&mesh, &looks, face](FaceLook& made) {
+    face != 0 ? mesh.make_look(looks, face, made)
+              : void(made = FaceLook::flat(static_cast<std::uint16_t>(mesh.background_)));
+  });
+  if (look.smooth() && !looks.brush.knows(face, look)) {
+    looks.brush.dip(look.material, mesh.colors_of(looks, look.material));
+  }
+}
+
+template <bool kTaps, Paint kPaint, bool kPlain>
+template <typename AnyLooks>
+void BandLines<kTaps, kPaint, kPlain>::make_look(AnyLooks& looks, FaceId face, FaceLook& look) {
   bring_to_hand(face);
   if (at_hand_.look->shading != MaterialRecord::kGouraud) {
     look = FaceLook::flat(flat_color(face));
@@ -380,8 +415,10 @@ void BandLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
   points_.to_face(face - 1u);
   const MeshRecord& mesh = points_.mesh();
   const auto brightness = [&](std::uint32_t vertex) {
-    return at_hand_.normals != nullptr ? LightRig::brightness(at_hand_.one.sum(at_hand_.normals[vertex]))
-                                       : lights().brightness(mesh.vertex_normals[vertex], false);
+    if constexpr (!kPlain) {
+      if (at_hand_.normals == nullptr) return lights().brightness(mesh.vertex_normals[vertex], false);
+    }
+    return LightRig::brightness(lights_.last().one().sum(at_hand_.normals[vertex]));
   };
   const std::uint16_t* const corner = mesh.corners.data() + 3 * (face - at_hand_.before);
   ScreenXY at[3];
@@ -404,13 +441,13 @@ void BandLines<kTaps, kPaint>::make_look(FaceId face, FaceLook& look) {
     look.material = material;
     return;
   }
-  const std::uint16_t* const colors = colors_of(material);
-  brush_.dip(material, colors);
+  const std::uint16_t* const colors = colors_of(looks, material);
+  looks.brush.dip(material, colors);
   look = FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)]);
 }
 
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::next(std::uint16_t line, Painter& painter, const SpanTap& tap) {
   CHECK(ready_ && line == line_);
   if (line == end_) plan(line);
   if (!kTaps && walker_.none_alive() && !crowded_ && vertices_.is_empty(line)) {
@@ -427,15 +464,15 @@ bool BandLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const 
   return true;
 }
 
-template <bool kTaps, Paint kPaint>
-bool BandLines<kTaps, kPaint>::give_up(bool overlaps) {
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::give_up(bool overlaps) {
   ready_ = false;
   overlaps_short_ = overlaps;
   return false;
 }
 
-template <bool kTaps, Paint kPaint>
-Status BandLines<kTaps, kPaint>::shortage() const {
+template <bool kTaps, Paint kPaint, bool kPlain>
+Status BandLines<kTaps, kPaint, kPlain>::shortage() const {
   return walker_shortage(walker_, overlaps_short_, line_);
 }
 

@@ -20,7 +20,7 @@ constexpr FrameOptions options_for(const Budget& budget) {
           .paint = !words           ? Paint::any
                    : budget.gouraud ? Paint::smooth_words
                                     : Paint::flat_words,
-          .plain = budget.plain && words && !patches && budget.band_vertices == 0 && budget.kept_instances == 0};
+          .plain = budget.plain && words && !patches && budget.kept_instances == 0};
 }
 
 template <FrameOptions kOptions = FrameOptions{}>

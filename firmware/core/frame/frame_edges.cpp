@@ -7,6 +7,10 @@ template class MeshFrame<FrameOptions{.walker = Walker::edges, .paint = Paint::f
 template class MeshFrame<FrameOptions{.walker = Walker::edges, .paint = Paint::smooth_words}>;
 template class MeshFrame<FrameOptions{.walker = Walker::edges, .bands = true, .paint = Paint::flat_words}>;
 template class MeshFrame<FrameOptions{.walker = Walker::edges, .bands = true, .paint = Paint::smooth_words}>;
+template class MeshFrame<FrameOptions{
+    .walker = Walker::edges, .bands = true, .paint = Paint::flat_words, .plain = true}>;
+template class MeshFrame<FrameOptions{
+    .walker = Walker::edges, .bands = true, .paint = Paint::smooth_words, .plain = true}>;
 template class MeshFrame<FrameOptions{.walker = Walker::edges, .paint = Paint::flat_words, .plain = true}>;
 template class MeshFrame<FrameOptions{.walker = Walker::edges, .paint = Paint::smooth_words, .plain = true}>;
 template class Frame<FrameOptions{.walker = Walker::both}>;

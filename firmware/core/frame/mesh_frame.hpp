@@ -17,7 +17,7 @@ Status line_refused(Slice<std::uint8_t> out, std::uint32_t bytes, std::uint32_t 
 
 // What the edge walker makes lines of: with FrameOptions::patches scenes of patches, else of meshes.
 template <FrameOptions kOptions>
-using MeshesOf = std::conditional_t<kOptions.bands, BandLines<kOptions.taps, kOptions.paint>,
+using MeshesOf = std::conditional_t<kOptions.bands, BandLines<kOptions.taps, kOptions.paint, kOptions.plain>,
                                     MeshLines<kOptions.taps, kOptions.paint, kOptions.plain>>;
 template <FrameOptions kOptions>
 using LinesOf = std::conditional_t<kOptions.patches, PatchLines<kOptions.taps, kOptions.paint>, MeshesOf<kOptions>>;
@@ -28,7 +28,7 @@ using LinesOf = std::conditional_t<kOptions.patches, PatchLines<kOptions.taps, k
 // it the first run of lines.
 template <FrameOptions kOptions>
 class MeshFrame {
-  static_assert(!kOptions.plain || (kOptions.paint != Paint::any && !kOptions.bands && !kOptions.patches));
+  static_assert(!kOptions.plain || (kOptions.paint != Paint::any && !kOptions.patches));
 
  public:
   constexpr explicit MeshFrame(const FrameStorage& storage)

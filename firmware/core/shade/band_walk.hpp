@@ -1,5 +1,5 @@
 // The walks of lines of RGB565 where looks are kept of faces that were met lately, and of others not even the number of
-// their look: flat_walk() and smooth_walk() for them.
+// their look: flat_walk() and smooth_walk() for them. They stop at no look, but learn it.
 #pragma once
 
 #include "core/shade/face_colors.hpp"
@@ -11,15 +11,25 @@ namespace spanline {
 inline WalkStop band_flat_walk_plain(LineWalk& walk, FaceId shown) {
   const auto paint = [pixels = walk.pixels, colors = *static_cast<const FaceColors*>(walk.painter)](
                          std::int32_t left, std::int32_t right, FaceId face) {
-    if (!colors.knows(face)) [[unlikely]]
-      return false;
     fill_span(pixels, left, right, colors[face]);
     return true;
   };
   return walk_on(walk, shown, paint);
 }
 // LineWalk::painter is a BandBrush.
-inline WalkStop band_smooth_walk_plain(LineWalk& walk, FaceId shown) { return smooth_walk_by<BandBrush>(walk, shown); }
+inline WalkStop band_smooth_walk_plain(LineWalk& walk, FaceId shown) {
+  const auto paint = [pixels = walk.pixels, &brush = *static_cast<const BandBrush*>(walk.painter)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
+    const FaceLook& look = brush.learned(face);
+    if (look.smooth()) {
+      smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
+    } else {
+      fill_span(pixels, left, right, look.color());
+    }
+    return true;
+  };
+  return walk_on(walk, shown, paint);
+}
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.

@@ -114,6 +114,7 @@ class Kept {
     }
     return rig_;
   }
+  const Rig& last() const { return rig_; }
 
  private:
   Rig rig_;

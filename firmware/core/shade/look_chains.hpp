@@ -36,7 +36,7 @@ class LookChains {
   // The face's look, now its chain's head; make(FaceLook&) makes all but its face where
   // it is not here. Valid until the next call.
   template <typename Make>
-  const FaceLook& look(FaceId face, const Make& make) {
+  FaceLook& look(FaceId face, const Make& make) {
     std::uint8_t* const head = &heads_[head_of(face)];
     std::uint8_t* link = head;
     while (*link != 0 && looks_[*link].face != face) link = &links_[*link];
@@ -51,6 +51,10 @@ class LookChains {
     links_[at] = *head;
     *head = at;
     return looks_[at];
+  }
+  // Another look of its face.
+  void put(const FaceLook& other) {
+    look(other.face, [](FaceLook&) {}) = other;
   }
 
  private:

@@ -54,6 +54,29 @@ class Brush {
   const std::uint16_t* colors_ = nullptr;
 };
 using SmoothBrush = Brush<LookSlots>;
-using BandBrush = Brush<LookHeads>;
+
+// One that sees to the looks that it does not know.
+class BandBrush : public Brush<LookHeads> {
+ public:
+  // Makes the look of a face, or of none, the head of its chain, and dips the brush where it is smooth.
+  using Learn = void (*)(void* from, FaceId face);
+
+  BandBrush() = default;
+  BandBrush(const LookChains& chains, Learn learn, void* from)
+      : Brush(chains.looks(), {chains.heads()}), from_(from), learn_(learn) {}
+
+  // What it is known by then, if it is not of one colour.
+  const FaceLook& learned(FaceId face) const {
+    const FaceLook& look = this->look(face);
+    if (knows(face, look) || look.flat_of(face)) [[likely]]
+      return look;
+    learn_(from_, face);
+    return this->look(face);
+  }
+
+ private:
+  void* from_ = nullptr;
+  Learn learn_ = nullptr;
+};
 
 }  // namespace spanline

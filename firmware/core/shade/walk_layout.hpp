@@ -9,6 +9,12 @@
 namespace spanline {
 
 // On cores of 32 bits.
+template <typename Colors, typename Brush>
+constexpr bool band_layout_holds() {
+  static_assert(sizeof(Colors) == 16, "colours, mask, from, learn");
+  static_assert(sizeof(Brush) == 28, "Brush, from, learn");
+  return true;
+}
 template <typename Walk, typename Look, typename Brush>
 constexpr bool walk_layout_holds() {
   static_assert(offsetof(Walk, edge) == 0 && offsetof(Walk, faces) == 28, "loaded by one instruction");

@@ -9,7 +9,7 @@
 namespace spanline {
 
 static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
-static_assert(sizeof(BandBrush) == sizeof(SmoothBrush) && sizeof(FaceColors) == 8, "colours, mask");
+static_assert(band_layout_holds<FaceColors, BandBrush>());
 
 asm(R"(
     .syntax unified
@@ -109,10 +109,34 @@ asm(R"(
     ldr r0, [r0, r5]
     uxth r5, r0
     cmp r5, r4
-    bne 33b
+    bne 80b
     lsrs r4, r0, #16
-    fill_span
+81: fill_span
 9:
+    .endm
+
+@ Calls what learns face r4's look, which stands behind the painter, r12, at `at`. Keeps in r5 and r6 what it may not
+@ push.
+    .macro learn at
+80: push {r1-r3}                    @ as many as keep the stack aligned
+    mov r5, r12
+    mov r6, lr
+    movs r1, r4
+    ldr r0, [r5, #\at]              @ from
+    ldr r2, [r5, #\at + 4]          @ learn
+    blx r2
+    mov r12, r5
+    mov lr, r6
+    pop {r1-r3}
+    .endm
+    .macro flat_learn
+    .endm
+    .macro smooth_learn
+    .endm
+    .macro band_flat_learn
+    learn 8
+    movs r4, r0
+    b 81f
     .endm
 
     .macro band_flat_count_down
@@ -203,13 +227,13 @@ asm(R"(
     ldr r7, [r3, #16]
     .endm
 
-    .macro smooth_tail
+    .macro smooth_tail unknown=33b
 60: mvns r6, r6                     @ whose look r5 is
     mvns r4, r4
     uxth r4, r4
     cmp r4, r6
     beq 61f
-    b 33b
+    b \unknown
 61: ldrh r4, [r5, #4]               @ one colour
     fill_span
 9:  b 3b
@@ -226,7 +250,15 @@ asm(R"(
     smooth_state
     .endm
     .macro band_smooth_tail
-    smooth_tail
+    smooth_tail 82b
+    .endm
+    .macro band_smooth_learn
+82: mvns r4, r4                     @ as smooth_tail leaves it
+    uxth r4, r4
+    learn 20
+    ldr r7, [r5, #16]
+    movs r0, r4
+    b 5f
     .endm
 
     .macro walk name, kind
@@ -284,6 +316,7 @@ asm(R"(
     mov r11, r7
     pop {r4-r7, pc}
 
+    \kind\()_learn
 @ The next edge is of the other run, or lies beyond the side.
 20: ldr r0, [sp, #4]
     cmp r8, r0

@@ -11,7 +11,7 @@
 namespace spanline {
 
 static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
-static_assert(sizeof(BandBrush) == sizeof(SmoothBrush) && sizeof(FaceColors) == 8, "colours, mask");
+static_assert(band_layout_holds<FaceColors, BandBrush>());
 
 asm(R"(
     .syntax unified
@@ -71,6 +71,13 @@ asm(R"(
     .endm
 
     .macro band_flat_tail unknown
+80: push {r1-r3, r12, lr}           @ as many as keep the stack aligned
+    mov r1, lr
+    ldrd r0, r4, [r12, #8]          @ from, learn
+    blx r4
+    mov r4, r0
+    pop {r1-r3, r12, lr}
+    b 81b
     .endm
 
     .macro band_flat_state
@@ -86,9 +93,9 @@ asm(R"(
     ldr r4, [r0, r4, lsl #2]
     uxth r5, r4
     cmp r5, lr
-    bne \unknown
+    bne 80f
     lsr r4, #16
-    fill_span
+81: fill_span
     .endm
 
 @ The number of the look of face lr.
@@ -192,7 +199,15 @@ asm(R"(
     .endm
 
     .macro band_smooth_tail unknown
-    smooth_tail \unknown
+    smooth_tail 82f
+82: push {r1-r3, r12, lr}           @ as many as keep the stack aligned
+    uxth r5, r5
+    mov r1, r5
+    ldrd r0, r4, [r12, #20]         @ from, learn
+    blx r4
+    pop {r1-r3, r12, lr}
+    mov lr, r5
+    b 5b
     .endm
 
     .macro band_smooth_state

@@ -67,17 +67,12 @@ class BandVertices {
   }
 
   std::uint32_t first() const { return first_; }
-  std::uint32_t count() const { return count_; }
-  // Begins the longest band from `top` on; file() is to be said of all next_to_file(). It ends at its top where not
-  // even that line's vertices fit.
-  void begin_band(std::int32_t top);
+  std::uint32_t last() const { return last_; }
+  // Begins the longest band from `top` on and files its vertices, place(vertex) is where one lies. It ends at its top
+  // where not even that line's vertices fit.
+  template <typename Place>
+  void begin_band(std::int32_t top, const Place& place);
   std::int32_t end() const { return end_; }
-  // The first vertex from `from` on that file() is to be said of, or as many as there are.
-  std::uint32_t next_to_file(std::uint32_t from) const {
-    return from != count_ && keys_[from + 1] - 1u < last_key_ ? from
-                                                              : look_on(from);  // those of a line mostly come by runs
-  }
-  void file(std::uint32_t vertex, ScreenXY at);
 
   // The vertices of a line of the band from left to right: the place of the first; BandVertex::next tells the others'.
   bool is_empty(std::int32_t line) const { return first_of(line) == 0; }
@@ -110,29 +105,59 @@ class BandVertices {
     return line < bottom_ ? static_cast<std::uint8_t>(1 + ((line - top_) >> shift_)) : kBelow;
   }
   std::uint32_t bucket(std::int32_t line) const { return static_cast<std::uint32_t>(line - band_top_ + 1); }
+  std::int32_t end_of(std::uint32_t key) const {
+    const auto line = static_cast<std::int32_t>(top_ + (key << shift_));
+    return line < bottom_ ? line : bottom_;
+  }
+  void clear_band(std::int32_t top);
   void plan();
-  std::uint32_t look_on(std::uint32_t from) const;
-  static const std::uint8_t* skip(const std::uint8_t* key, const std::uint8_t* end, std::uint32_t last);
+  static const std::uint8_t* skip(const std::uint8_t* first, const std::uint8_t* key, std::uint32_t last);
   // The first vertex with one of `keys` keys from `first` on.
   std::uint32_t next(std::uint32_t from, std::uint32_t first, std::uint32_t keys) const {
-    const std::uint8_t *key = &keys_[0] + 1 + from, *const end = &keys_[0] + 1 + count_;
+    const std::uint8_t *key = &keys_[0] + 1 + from, *const end = &keys_[0] + 1 + last_;
     while (key != end && *key - first >= keys) ++key;
     return static_cast<std::uint32_t>(key - (&keys_[0] + 1));
   }
 
   PoolRef<BandVertex> band_;
   PoolRef<std::uint8_t> keys_, buckets_;
-  std::uint32_t count_ = 0;              // of vertices
-  std::uint32_t first_ = 0;              // vertices before it have been reached, or never will be
-  std::int32_t top_ = 0, bottom_ = 0;    // of the frame
-  std::int32_t band_top_ = 0, end_ = 0;  // of the band
-  std::uint32_t shift_ = 0;              // of lines to keys
-  std::uint32_t last_key_ = 0;           // of the band's lines
-  // The keys that the next bands end before.
-  static constexpr std::uint8_t kMostPlanned = 8;
-  std::uint8_t planned_ends_[kMostPlanned];
-  std::uint8_t planned_ = 0, next_planned_ = 0;
+  std::uint16_t first_ = 0, last_ = 0;  // vertices before the one and from the other on have been reached, or never are
+  std::uint16_t top_ = 0, bottom_ = 0;  // of the frame
+  std::uint16_t band_top_ = 0, end_ = 0;  // of the band
+  std::uint8_t shift_ = 0;                // of lines to keys
   std::uint8_t filed_ = 0;
+  // The last keys of the next bands.
+  static constexpr std::uint8_t kMostPlanned = 14;
+  std::uint8_t planned_ = 0, next_planned_ = 0;
+  std::uint8_t planned_ends_[kMostPlanned];
 };
+
+// Backwards, as a line's vertices are mostly met from left to right then.
+template <typename Place>
+void BandVertices::begin_band(std::int32_t top, const Place& place) {
+  clear_band(top);
+  if (end_ == band_top_) return;
+  const std::uint32_t last_key = key_of(end_ - 1);
+  BandVertex* const band = band_.sink();
+  std::uint8_t* const buckets = &buckets_[1];
+  std::uint32_t filed = 0;
+  std::uint8_t *const first = &keys_[1] + first_, *key = &keys_[1] + last_;
+  for (;;) {
+    if (reinterpret_cast<std::uintptr_t>(key) % 4 == 0) key = const_cast<std::uint8_t*>(skip(first, key, last_key));
+    if (key == first) break;
+    --key;
+    if (*key - 1u >= last_key) continue;
+    const auto vertex = static_cast<std::uint32_t>(key - &keys_[1]);
+    const ScreenXY at = place(vertex);
+    const std::int32_t line = first_line(at);
+    if (line >= end_) continue;
+    std::uint8_t* link = buckets + (line - top);
+    while (*link != 0 && band[*link].at.x < at.x) link = &band[*link].next;
+    band[++filed] = {at, static_cast<std::uint16_t>(vertex + 1), *link, BandVertex::kNoLevel};
+    *link = static_cast<std::uint8_t>(filed);
+    *key = static_cast<std::uint8_t>(kFiled + filed);
+  }
+  filed_ = static_cast<std::uint8_t>(filed);
+}
 
 }  // namespace spanline
