@@ -40,7 +40,7 @@ inline constexpr Picture kPictures[] = {
     {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
     {"panes-wide-30", demos::panes, 30, kWide, 0x3450a3c7},
     {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
-    {"patches-oled-60", demos::patches, 60, kOled, 0x6954b758},
+    {"patches-oled-60", demos::patches, 60, kOled, 0x09654014},
     {"patches-mono-150", demos::patches, 150, kMono, 0x734ea44a},
 };
 

@@ -5,18 +5,18 @@ namespace {
 
 // The number of steps that all curves between four control curves of a patch can do with: the first and the last of
 // them, and those that halving the patch between them leaves, which are nearer to it than the inner two.
-std::uint32_t steps_between(CurveBend (&c)[4], const DiceView& view) {
-  Bend most = c[0].bend();
-  most.widen(c[3].bend());
+std::uint32_t steps_between(CurveBend (&c)[4], const PlaceBounds& bounds, const DiceView& view) {
+  Bend most = c[0].bend(bounds);
+  most.widen(c[3].bend(bounds));
   Bend all = most;
-  all.widen(c[1].bend());
-  all.widen(c[2].bend());
+  all.widen(c[1].bend(bounds));
+  all.widen(c[2].bend(bounds));
   const std::uint32_t least = most.steps(view);
   if (all.steps(view) == least) return least;
   for (int curves = 3; curves > 0; --curves) {  // de Casteljau
     for (int i = 0; i < curves; ++i) c[i].go_halfway(c[i + 1]);
-    most.widen(c[0].bend());
-    if (curves > 1) most.widen(c[curves - 1].bend());
+    most.widen(c[0].bend(bounds));
+    if (curves > 1) most.widen(c[curves - 1].bend(bounds));
   }
   return most.steps(view);
 }
@@ -24,33 +24,27 @@ std::uint32_t steps_between(CurveBend (&c)[4], const DiceView& view) {
 // Either direction of a patch.
 struct Direction {
   const ClipPatch& patch;
-  const ScreenPlace* places;
-  const PlaceBounds& bounds;
+  const ScreenXY (&places)[4][4];
   int stride, next;  // from point to point of a curve, and from curve to curve
-  CurveReach reach[4];
 
-  Direction(const ClipPatch& p, const ScreenPlace* place, const PlaceBounds& all, int from_point, int from_curve)
-      : patch(p), places(place), bounds(all), stride(from_point), next(from_curve) {
-    for (int i = 0; i < 4; ++i) reach[i] = CurveReach(first_of(i), stride);
-  }
   const ClipPoint* first_of(int curve) const { return &patch.at[0][0] + curve * next; }
-  CurveReach whole() const {
-    CurveReach all = reach[0];
-    for (const CurveReach& r : reach) all.widen(r);
-    return all;
-  }
-  // Of the first or the last curve, by itself: as curve_steps().
+  // Of the first or the last curve, by itself: as curve_steps(). Widens what reaches are passed.
   // Not inline: what it keeps is off the stack again when inner curves are looked at.
-  [[gnu::noinline]] PatchSide side(int curve, const DiceView& view) const {
-    const PlaceBounds own(places + curve * next, 4, stride, view);
-    const CurveReach& r = reach[curve];
-    const std::uint32_t steps = CurveBend(first_of(curve), stride, r, own, r.beyond_27_bits(), view).bend().steps(view);
-    return {steps, r.scale(steps)};
+  [[gnu::noinline]] PatchSide side(int curve, const DiceView& view, CurveReach& all) const {
+    const CurveReach reach(first_of(curve), stride);
+    all.widen(reach);
+    PackedBox box;
+    const ScreenXY* place = &places[0][0] + curve * next;
+    for (int i = 0; i < 4; ++i, place += stride) box.widen(PackedXY(*place));
+    const PlaceBounds own(box, view);
+    const std::uint32_t steps =
+        CurveBend(first_of(curve), stride, own, reach.beyond_27_bits(), view).bend(own).steps(view);
+    return {steps, reach.scale(steps)};
   }
-  std::uint32_t steps(int down, const DiceView& view) const {
-    const auto bend = [&](int i) { return CurveBend(first_of(i), stride, reach[i], bounds, down, view); };
+  std::uint32_t steps(const PlaceBounds& bounds, int down, const DiceView& view) const {
+    const auto bend = [&](int i) { return CurveBend(first_of(i), stride, bounds, down, view); };
     CurveBend bends[4] = {bend(0), bend(1), bend(2), bend(3)};
-    return steps_between(bends, view);
+    return steps_between(bends, bounds, view);
   }
 };
 
@@ -62,46 +56,72 @@ std::uint32_t most(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 }  // namespace
 
 PatchDicer::PatchDicer(const ClipPatch& patch, const DiceView& view) : patch_(&patch) {
-  ScreenPlace places[16];
-  for (int i = 0; i < 16; ++i) places[i] = ScreenPlace(patch.at[i / 4][i % 4], view);
+  ScreenXY places[4][4];
+  for (int i = 0; i < 16; ++i) places[i / 4][i % 4] = place_on_screen(patch.at[i / 4][i % 4], view);
   find_steps(places, view);
 }
 
 PatchDicer::PatchDicer(const ClipPatch& patch, const ScreenXY (&projected)[4][4], const DiceView& view)
     : patch_(&patch) {
-  ScreenPlace places[16];
-  for (int i = 0; i < 16; ++i) places[i] = ScreenPlace(projected[i / 4][i % 4], view);
-  find_steps(places, view);
+  find_steps(projected, view);
 }
 
-void PatchDicer::find_steps(const ScreenPlace (&places)[16], const DiceView& view) {
-  const PlaceBounds bounds(places, 16, 1, view);
-  const Direction along(*patch_, places, bounds, 1, 4), across(*patch_, places, bounds, 4, 1);
-  const CurveReach whole = along.whole();
+void PatchDicer::find_steps(const ScreenXY (&places)[4][4], const DiceView& view) {
+  const Direction along{*patch_, places, 1, 4}, across{*patch_, places, 4, 1};
+  CurveReach whole;
+  first_ = along.side(0, view, whole);
+  last_ = along.side(3, view, whole);
+  left_ = across.side(0, view, whole);
+  right_ = across.side(3, view, whole);
+  for (int i = 1; i < 3; ++i) {
+    for (int j = 1; j < 3; ++j) whole.widen(patch_->at[i][j]);
+  }
+  PackedBox box;
+  for (const auto& row : places) {
+    for (const ScreenXY& place : row) box.widen(PackedXY(place));
+  }
+  const PlaceBounds bounds(box, view);
   const int down = whole.beyond_27_bits();
-  first_ = along.side(0, view);
-  last_ = along.side(3, view);
-  left_ = across.side(0, view);
-  right_ = across.side(3, view);
-  columns_ = most(along.steps(down, view), first_.own, last_.own);
-  rows_ = most(across.steps(down, view), left_.own, right_.own);
+  columns_ = most(along.steps(bounds, down, view), first_.own, last_.own);
+  rows_ = most(across.steps(bounds, down, view), left_.own, right_.own);
   inner_ = {whole.scale(columns_), whole.scale(rows_)};
+  const auto start = [this](int j, std::uint32_t steps, const CurveScale& scale, PointWalk<std::int32_t>& walk) {
+    const auto& p = patch_->at;
+    if (scale.is_short) walk = {p[0][j], p[1][j], p[2][j], p[3][j], steps, scale.down};
+  };
+  for (int j = 0; j < 4; ++j) start(j, rows_, inner_.across, control_[j]);
+  if (!is_column(left_)) start(0, left_.own, left_.scale, end_[0]);
+  if (!is_column(right_)) start(3, right_.own, right_.scale, end_[1]);
 }
 
 void PatchDicer::next_row(GridRow& row) {
   CHECK(row_ <= rows_);
   const auto& p = patch_->at;
-  const CurveParameter here(row_, rows_);  // gives the control points themselves at both ends
-  here.of_columns(p, inner_.across, row.control);
-  const auto side = [&](const PatchSide& s, int j) {
-    if (s.own == rows_ && s.scale == inner_.across) return row.control[j];
-    const CurveParameter own(side_vertex(row_, s.own, rows_), s.own);
-    return own.of(p[0][j], p[1][j], p[2][j], p[3][j], s.scale);
-  };
-  row.left = side(left_, 0);
-  row.right = side(right_, 3);
+  if (row_ == 0 || row_ == rows_) {
+    for (int j = 0; j < 4; ++j) row.control[j] = p[row_ == 0 ? 0 : 3][j];
+  } else if (inner_.across.is_short) {
+    const PointWalk<std::int32_t>::Scale scale(rows_, inner_.across.down);
+    for (int j = 0; j < 4; ++j) {
+      control_[j].step();
+      row.control[j] = control_[j].at(scale);
+    }
+  } else {
+    const CurveParameter here(row_, rows_);
+    for (int j = 0; j < 4; ++j) row.control[j] = here.of(p[0][j], p[1][j], p[2][j], p[3][j], inner_.across);
+  }
+  row.left = is_column(left_) ? row.control[0] : end_of_row(left_, 0, end_[0]);
+  row.right = is_column(right_) ? row.control[3] : end_of_row(right_, 3, end_[1]);
   row.own = row_ == 0 ? first_ : row_ == rows_ ? last_ : PatchSide{};
   ++row_;
+}
+
+ClipPoint PatchDicer::end_of_row(const PatchSide& side, int j, PointWalk<std::int32_t>& walk) const {
+  const auto& p = patch_->at;
+  const std::uint32_t at = side_vertex(row_, side.own, rows_);
+  if (at == 0 || at == side.own) return p[at == 0 ? 0 : 3][j];
+  if (!side.scale.is_short) return CurveParameter(at, side.own).of(p[0][j], p[1][j], p[2][j], p[3][j], side.scale);
+  if (side_vertex(row_ - 1, side.own, rows_) != at) walk.step();
+  return walk.at({side.own, side.scale.down});
 }
 
 namespace {
@@ -109,7 +129,7 @@ namespace {
 // The points of a curve but its ends, a coordinate at a time, so that what is stepped stays in registers.
 template <typename Int>
 void step_between(const ClipPoint (&p)[4], const PatchSide& side, ClipPoint* out) {
-  const typename ScaledAxis<Int>::Scale scale{kCubes[side.own], side.scale.down};
+  const typename ScaledAxis<Int>::Scale scale(side.own, side.scale.down);
   for (std::int32_t ClipPoint::*const axis : {&ClipPoint::x, &ClipPoint::y, &ClipPoint::w}) {
     ScaledAxis<Int> walk(p[0].*axis, p[1].*axis, p[2].*axis, p[3].*axis, side.own, side.scale.down);
     for (std::uint32_t i = 1; i < side.own; ++i) {

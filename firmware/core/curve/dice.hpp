@@ -40,7 +40,8 @@ class PatchDicer {
  public:
   // `patch` must outlive the dicer.
   PatchDicer(const ClipPatch& patch, const DiceView& view);
-  // Where the control points were projected already (ScreenPlace): so it is for all patches that meet, or for none.
+  // Where the control points were projected already, or are kNotProjected: so it is for all patches that meet, or for
+  // none.
   PatchDicer(const ClipPatch& patch, const ScreenXY (&projected)[4][4], const DiceView& view);
 
   // Facets along u and along v: at least 1, at most kMaxSteps.
@@ -74,7 +75,10 @@ class PatchDicer {
   }
 
  private:
-  void find_steps(const ScreenPlace (&places)[16], const DiceView& view);
+  // Whether the points of a side along v are those of the column of control points.
+  bool is_column(const PatchSide& side) const { return side.own == rows_ && side.scale == inner_.across; }
+  ClipPoint end_of_row(const PatchSide& side, int j, PointWalk<std::int32_t>& walk) const;
+  void find_steps(const ScreenXY (&places)[4][4], const DiceView& view);
 
   const ClipPatch* patch_;
   std::uint32_t columns_, rows_;
@@ -84,6 +88,8 @@ class PatchDicer {
     CurveScale along, across;
   } inner_;  // of rows and columns that are no sides
   std::uint32_t row_ = 0;
+  // The row's control points and ends between the first and the last row, where 32 bits are enough for them.
+  PointWalk<std::int32_t> control_[4], end_[2];
 };
 
 // A facet of a patch: its corners in order, first along u; a triangle where a side has fewer steps than the grid.

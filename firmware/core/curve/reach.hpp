@@ -23,10 +23,11 @@ class CurveReach {
   CurveReach() = default;
   // Of the curve of every `stride`th point.
   explicit CurveReach(const ClipPoint* p, int stride = 1) {
-    for (int i = 0; i < 4; ++i, p += stride) {
-      any_ |= magnitude_bits(p->x) | magnitude_bits(p->y) | magnitude_bits(p->w);
-      if (p->w < nearest_) nearest_ = p->w;
-    }
+    for (int i = 0; i < 4; ++i, p += stride) widen(*p);
+  }
+  void widen(const ClipPoint& p) {
+    any_ |= magnitude_bits(p.x) | magnitude_bits(p.y) | magnitude_bits(p.w);
+    if (p.w < nearest_) nearest_ = p.w;
   }
   // Of both curves.
   void widen(const CurveReach& other) {
@@ -34,7 +35,6 @@ class CurveReach {
     if (other.nearest_ < nearest_) nearest_ = other.nearest_;
   }
 
-  std::int32_t nearest() const { return nearest_; }
   // What is more than 27 bits of the coordinates.
   int beyond_27_bits() const { return any_ >> 27 == 0 ? 0 : static_cast<int>(std::bit_width(any_)) - 27; }
 
@@ -43,8 +43,8 @@ class CurveReach {
   CurveScale scale(std::uint32_t steps) const {
     constexpr int kFinest = 16;
     static_assert(3 * kGuardPx * kSubpixels <= 1 << kFinest, "x or y, and w are off");
-    const int down = static_cast<int>(std::bit_width(any_)) + kCubes[steps].shift - 29;  // n^3 <= 2^(shift + 2)
-    if (nearest_ < 1 << kFinest || (down > 0 && (nearest_ >> kFinest) >> down == 0)) return {};
+    const int bits = static_cast<int>(std::bit_width(any_)), down = bits + kCubes[steps].shift - 29;
+    if (bits > 29 || nearest_ < 1 << kFinest || (down > 0 && (nearest_ >> kFinest) >> down == 0)) return {};
     return {true, down > 0 ? down : 0};
   }
 

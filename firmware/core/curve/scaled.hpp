@@ -40,10 +40,18 @@ static_assert(kCubes[2].factor == 1 << 30 && kCubes[2].shift == 1 && kCubes[kMax
 template <typename Int>
 class ScaledAxis {
  public:
-  // How coordinates are scaled.
+  // How coordinates are scaled: by 1 / n^3, and in 32 bits by what was cut off, too.
   struct Scale {
     Cube cube{};
     int down = 0;
+
+    Scale() = default;
+    Scale(std::uint32_t steps, int cut_off) : cube(kCubes[steps]), down(cut_off) {
+      if constexpr (sizeof(Int) == 4) {
+        const int excess = cube.shift - down;
+        cube = {static_cast<std::int32_t>((bits(cube.factor, 0) + (Bits{1} << excess >> 1)) >> excess), 0};
+      }
+    }
   };
 
   ScaledAxis() = default;
@@ -70,8 +78,7 @@ class ScaledAxis {
 
   static std::int32_t rounded(Int sum, const Scale& scale) {
     if constexpr (sizeof(Int) == 4) {
-      const std::int32_t half = 1 << (scale.cube.shift - 1);
-      return (add_high(sum, scale.cube.factor, half) >> scale.cube.shift) * (1 << scale.down);
+      return mul_high_round(sum, scale.cube.factor);
     } else {
       const std::uint64_t low =
           std::uint64_t{static_cast<std::uint32_t>(sum)} * static_cast<std::uint32_t>(scale.cube.factor);

@@ -22,15 +22,11 @@ class CurveParameter {
     return scale.is_short ? blend<std::int32_t>(p0, p1, p2, p3, scale.down)
                           : blend<std::int64_t>(p0, p1, p2, p3, scale.down);
   }
-  // Those of a patch's columns, all with one scale.
-  void of_columns(const ClipPoint (&p)[4][4], const CurveScale& scale, ClipPoint (&out)[4]) const;
 
  private:
   template <typename Int>
-  void blend_columns(const ClipPoint (&p)[4][4], int down, ClipPoint (&out)[4]) const;
-  template <typename Int>
   ClipPoint blend(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3, int down) const {
-    const typename ScaledAxis<Int>::Scale scale{kCubes[steps_], down};
+    const typename ScaledAxis<Int>::Scale scale(steps_, down);
     const auto at = [&](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
       return ScaledAxis<Int>::weighted(a, b, c, d, weight_, scale);
     };
@@ -44,20 +40,38 @@ inline ClipPoint curve_point(const ClipPoint (&p)[4], std::uint32_t index, std::
   return CurveParameter(index, steps).of(p[0], p[1], p[2], p[3], CurveReach(p).scale(steps));
 }
 
+// A point that is stepped along a curve, and is what CurveParameter has it as. Int: as the curve's CurveScale says.
+template <typename Int>
+class PointWalk {
+ public:
+  using Scale = typename ScaledAxis<Int>::Scale;
+
+  PointWalk() = default;
+  PointWalk(const ClipPoint& p0, const ClipPoint& p1, const ClipPoint& p2, const ClipPoint& p3, std::uint32_t steps,
+            int down)
+      : x_(p0.x, p1.x, p2.x, p3.x, steps, down),
+        y_(p0.y, p1.y, p2.y, p3.y, steps, down),
+        w_(p0.w, p1.w, p2.w, p3.w, steps, down) {}
+
+  // Not at the curve's ends.
+  ClipPoint at(const Scale& scale) const { return {x_.at(scale), y_.at(scale), w_.at(scale)}; }
+  void step() {
+    x_.step();
+    y_.step();
+    w_.step();
+  }
+
+ private:
+  ScaledAxis<Int> x_, y_, w_;
+};
+
 // Steps off the points of a curve at t = i / n (scaled.hpp), so that each is the same number seen from either end.
-// Int: as its CurveScale has it.
 template <typename Int>
 class SideWalk {
  public:
   SideWalk() = default;
   SideWalk(const ClipPoint (&p)[4], std::uint32_t steps, int down = 0)
-      : x_(p[0].x, p[1].x, p[2].x, p[3].x, steps, down),
-        y_(p[0].y, p[1].y, p[2].y, p[3].y, steps, down),
-        w_(p[0].w, p[1].w, p[2].w, p[3].w, steps, down),
-        scale_{kCubes[steps], down},
-        first_(p[0]),
-        last_(p[3]),
-        steps_(steps) {
+      : walk_(p[0], p[1], p[2], p[3], steps, down), scale_(steps, down), first_(p[0]), last_(p[3]), steps_(steps) {
     CHECK(steps >= 1 && steps <= kMaxSteps);
   }
 
@@ -65,13 +79,11 @@ class SideWalk {
   // coordinate, in 32 bits within 1.5 * 2^down.
   ClipPoint at() const { return index_ == 0 ? first_ : index_ == steps_ ? last_ : between(); }
   // Likewise, but not at the ends.
-  ClipPoint between() const { return {x_.at(scale_), y_.at(scale_), w_.at(scale_)}; }
+  ClipPoint between() const { return walk_.at(scale_); }
   void step() {
     CHECK(index_ < steps_);
     ++index_;
-    x_.step();
-    y_.step();
-    w_.step();
+    walk_.step();
   }
   std::uint32_t steps() const { return steps_; }
 
@@ -79,8 +91,8 @@ class SideWalk {
   // No difference is above 24 n^3 times a coordinate's range of 2^32.
   static_assert(std::int64_t{24} * kMaxSteps * kMaxSteps * kMaxSteps <= INT64_MAX >> 32);
 
-  ScaledAxis<Int> x_, y_, w_;
-  typename ScaledAxis<Int>::Scale scale_;
+  PointWalk<Int> walk_;
+  typename PointWalk<Int>::Scale scale_;
   ClipPoint first_{}, last_{};
   std::uint32_t steps_ = 1;
   std::uint32_t index_ = 0;

@@ -21,44 +21,35 @@ std::uint32_t length_at_most(std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-ScreenPlace::ScreenPlace(const ClipPoint& p, const DiceView& view) {
-  if (p.w < view.near_w || p.w <= 0) return;
+ScreenXY place_on_screen(const ClipPoint& p, const DiceView& view) {
+  if (p.w < view.near_w || p.w <= 0) return kNotProjected;
   const auto w = static_cast<std::uint32_t>(p.w);
   const int up = std::countl_zero(w) - 1;
   const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(w << up));  // of 2^61
-  const auto place = [&](std::int32_t v) {
-    // What lies beyond the screen's border is not seen.
-    if (magnitude(v) >= w) return v < 0 ? -view.reach : view.reach;
-    const std::int32_t at = mul_high(v * (1 << up), inverse), limit = view.reach >> 2;  // Q1.29
-    return at < -limit ? -view.reach : at > limit ? view.reach : at * 4;
+  const auto place = [&](std::int32_t v, std::int32_t centre) {
+    constexpr std::int32_t kBorder = kGuardPx * kSubpixels;
+    const std::int32_t off = magnitude(v) >= w ? (v < 0 ? -kBorder : kBorder)
+                                               : shift_round(mul_high(v * (1 << up), inverse), 29 - kProjectedBits);
+    return static_cast<std::int16_t>(centre + off);
   };
-  x = place(p.x);
-  y = place(p.y);
+  return {place(p.x, view.centre_x), place(p.y, view.centre_y)};
 }
 
-ScreenPlace::ScreenPlace(ScreenXY at, const DiceView& view) {
-  if (at.x == kNotProjected.x) return;
+PlaceBounds::PlaceBounds(const PackedBox& places, const DiceView& view) {
   static_assert(kGuardPx * kSubpixels == 1 << kProjectedBits);
   constexpr int kUp = 31 - kProjectedBits;
+  // Half a unit of a projected point; the reciprocal's 2^-25 of one.
+  constexpr std::int32_t kError = (1 << (kUp - 1)) + (1 << 8);
+  // What lies beyond the screen's border is not seen.
   const std::int32_t limit = view.reach >> kUp;
-  const auto place = [&](std::int32_t v) { return (v < -limit ? -limit : v > limit ? limit : v) * (1 << kUp); };
-  x = place(at.x - view.centre_x);
-  y = place(at.y - view.centre_y);
-}
-
-PlaceBounds::PlaceBounds(const ScreenPlace* place, int count, int stride, const DiceView& view) {
-  for (int i = 0; i < count; ++i, place += stride) {
-    if (place->x < x.low) x.low = place->x;
-    if (place->x > x.high) x.high = place->x;
-    if (place->y < y.low) y.low = place->y;
-    if (place->y > y.high) y.high = place->y;
-  }
-  static_assert(ScreenPlace::kAnywhere == INT32_MIN);
-  if (x.low == ScreenPlace::kAnywhere) x = y = {-view.reach, view.reach};
-  // Half a unit of a projected point; the reciprocal's 2^-25 of one, and what is cut off.
-  constexpr std::int32_t kError = (1 << (30 - kProjectedBits)) + (1 << 8);
-  x = {x.low - kError, x.high + kError};
-  y = {y.low - kError, y.high + kError};
+  const bool anywhere = places.low.x() == kNotProjected.x;
+  const auto range = [&](std::int32_t low, std::int32_t high, std::int32_t centre) -> Range {
+    low = anywhere || low < centre - limit ? -limit : low > centre + limit ? limit : low - centre;
+    high = anywhere || high > centre + limit ? limit : high < centre - limit ? -limit : high - centre;
+    return {(low + high) * -(1 << (kUp - 1)), (high - low) * (1 << (kUp - 1)) + kError};
+  };
+  x = range(places.low.x(), places.high.x(), view.centre_x);
+  y = range(places.low.y(), places.high.y(), view.centre_y);
 }
 
 std::uint32_t Bend::steps(const DiceView& view) const {
@@ -77,48 +68,57 @@ std::uint32_t Bend::steps(const DiceView& view) const {
   return square <= 1 ? 1 : square_root(square - 1) + 1;
 }
 
-CurveBend::CurveBend(const ClipPoint* p, int stride, const CurveReach& reach, const PlaceBounds& bounds, int down,
-                     const DiceView& view) {
-  for (int i = 0; i < 2; ++i, p += stride) {
-    const auto second = [&](std::int32_t ClipPoint::*axis) {  // of 29 bits
-      const auto at = [&](int j) { return p[j * stride].*axis >> down; };
-      return at(0) - 2 * at(1) + at(2);
-    };
-    const std::int32_t x = second(&ClipPoint::x), y = second(&ClipPoint::y), w = second(&ClipPoint::w);
-    const auto off = [w](std::int32_t d, std::int32_t place) { return d - 2 * mul_high(w, place); };
-    off_[i] = {off(x, bounds.x.low), off(x, bounds.x.high), off(y, bounds.y.low), off(y, bounds.y.high)};
-  }
-  const std::int32_t nearest = (reach.nearest() < view.near_w ? view.near_w : reach.nearest()) >> down;
-  nearest_ = nearest < 1 ? 1 : static_cast<std::uint32_t>(nearest);
+CurveBend::CurveBend(const ClipPoint* p, int stride, const PlaceBounds& bounds, int down, const DiceView& view) {
+  const ClipPoint &p0 = p[0], &p1 = p[stride], &p2 = p[2 * stride], &p3 = p[3 * stride];
+  struct Pair {
+    std::int32_t first, second;  // differences, of 29 bits
+  };
+  const auto second = [](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+    return Pair{a - 2 * b + c, b - 2 * c + d};
+  };
+  const std::int32_t w0 = p0.w >> down, w1 = p1.w >> down, w2 = p2.w >> down, w3 = p3.w >> down;
+  const std::int32_t near_w = view.near_w >> down;
+  const auto less = [](std::int32_t a, std::int32_t b) { return a < b ? a : b; };
+  const std::int32_t nearest = less(less(w0, w1), less(w2, w3));
+  nearest_ = nearest < near_w ? near_w : nearest;
+  if (nearest_ < 1) nearest_ = 1;
+  const Pair w = second(w0, w1, w2, w3);
+  const Pair x = second(p0.x >> down, p1.x >> down, p2.x >> down, p3.x >> down);
+  const Pair y = second(p0.y >> down, p1.y >> down, p2.y >> down, p3.y >> down);
+  const auto off = [&bounds](std::int32_t dx, std::int32_t dy, std::int32_t twice_dw) {
+    return Off{add_high(twice_dw, bounds.x.middle, dx), add_high(twice_dw, bounds.y.middle, dy), twice_dw};
+  };
+  off_[0] = off(x.first, y.first, 2 * w.first);
+  off_[1] = off(x.second, y.second, 2 * w.second);
 }
 
 void CurveBend::go_halfway(const CurveBend& other) {
   const auto go = [](std::int32_t& from, std::int32_t to) { from = (from + to) >> 1; };
   for (int i = 0; i < 2; ++i) {
-    auto& off = off_[i];
-    const auto& to = other.off_[i];
-    go(off.x_low, to.x_low);
-    go(off.x_high, to.x_high);
-    go(off.y_low, to.y_low);
-    go(off.y_high, to.y_high);
+    go(off_[i].x, other.off_[i].x);
+    go(off_[i].y, other.off_[i].y);
+    go(off_[i].w, other.off_[i].w);
   }
-  nearest_ = (nearest_ + other.nearest_) >> 1;
+  go(nearest_, other.nearest_);
 }
 
-Bend CurveBend::bend() const {
-  constexpr std::uint32_t kCutOff = 2 + 3 + 1;  // by mul_high(), by go_halfway() three times over, and here
-  const auto most = [](std::int32_t low, std::int32_t high) {
-    return larger(static_cast<std::uint32_t>(low ^ low >> 31), static_cast<std::uint32_t>(high ^ high >> 31)) + kCutOff;
+Bend CurveBend::bend(const PlaceBounds& bounds) const {
+  constexpr std::int32_t kCutOff = 6;  // by add_high(), by go_halfway() three times over, and here
+  // Of d - p * d.w the most is where p is at that end of its bounds that adds to what it is in the middle.
+  const auto most = [](std::int32_t d, std::int32_t w, std::int32_t half) {
+    return static_cast<std::uint32_t>(add_high(w ^ w >> 31, half, (d ^ d >> 31) + kCutOff));
   };
-  std::uint32_t bend = 0;
-  for (const auto& d : off_) bend = larger(bend, length_at_most(most(d.x_low, d.x_high), most(d.y_low, d.y_high)));
-  return {bend, nearest_};
+  const auto length = [&](const Off& d) {
+    return length_at_most(most(d.x, d.w, bounds.x.half), most(d.y, d.w, bounds.y.half));
+  };
+  return {larger(length(off_[0]), length(off_[1])), static_cast<std::uint32_t>(nearest_)};
 }
 
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view) {
-  const ScreenPlace place[4] = {{p[0], view}, {p[1], view}, {p[2], view}, {p[3], view}};
-  const CurveReach reach(p);
-  return CurveBend(p, 1, reach, {place, 4, 1, view}, reach.beyond_27_bits(), view).bend().steps(view);
+  PackedBox places;
+  for (const ClipPoint& point : p) places.widen(PackedXY(place_on_screen(point, view)));
+  const PlaceBounds bounds(places, view);
+  return CurveBend(p, 1, bounds, CurveReach(p).beyond_27_bits(), view).bend(bounds).steps(view);
 }
 
 }  // namespace spanline

@@ -28,26 +28,18 @@ struct DiceView {
 };
 static_assert(kGuardPx == 1 << 10 && kMaxExtent < (1 << 11) - 1, "reach, and a little more, is below one");
 
-// Where a point is on the screen, as far as it is seen: Q1.31 guard bands off the centre.
-struct ScreenPlace {
-  static constexpr std::int32_t kAnywhere = INT32_MIN;  // of points before the near plane
-  std::int32_t x = kAnywhere, y = kAnywhere;
+// Where a point is on the screen, 28.4 px; kNotProjected before the near plane.
+ScreenXY place_on_screen(const ClipPoint& p, const DiceView& view);
+inline constexpr ScreenXY kNotProjected{INT16_MIN, 0};
 
-  ScreenPlace() = default;
-  ScreenPlace(const ClipPoint& p, const DiceView& view);
-  // Of a point that was projected already, or kNotProjected.
-  ScreenPlace(ScreenXY at, const DiceView& view);
-  static constexpr ScreenXY kNotProjected{INT16_MIN, 0};
-};
-
-// What the places of control points lie between.
+// What the places of control points lie between, as far as they are seen: Q1.31 guard bands off the screen's centre.
 struct PlaceBounds {
   struct Range {
-    std::int32_t low = INT32_MAX, high = INT32_MIN;
+    std::int32_t middle;  // its negative
+    std::int32_t half;    // of what it spans
   } x, y;
 
-  // Of `count` points, every `stride`th one.
-  PlaceBounds(const ScreenPlace* place, int count, int stride, const DiceView& view);
+  PlaceBounds(const PackedBox& places, const DiceView& view);
 };
 
 // How far a curve bends on the screen, as bend / nearest: what the number of its steps follows from.
@@ -66,21 +58,20 @@ struct Bend {
 // others.
 class CurveBend {
  public:
-  // The curve of every `stride`th point, which `reach` and `bounds` hold, without the last `down` bits: so many that 27
-  // are left.
-  CurveBend(const ClipPoint* p, int stride, const CurveReach& reach, const PlaceBounds& bounds, int down,
-            const DiceView& view);
+  // The curve of every `stride`th point, which `bounds` hold, without the last `down` bits: so many that 27 are left.
+  CurveBend(const ClipPoint* p, int stride, const PlaceBounds& bounds, int down, const DiceView& view);
   // To the curve whose control points are halfway to those of another one, made with the same bounds.
   void go_halfway(const CurveBend& other);
 
-  Bend bend() const;
+  // With the bounds that it was made with.
+  Bend bend(const PlaceBounds& bounds) const;
 
  private:
-  // d - p * d.w of both second differences, where p is at either end of its bounds.
-  struct {
-    std::int32_t x_low, x_high, y_low, y_high;  // below 2^30
+  // Of both second differences d - p * d.w, where p is in the middle of its bounds, and 2 * d.w.
+  struct Off {
+    std::int32_t x, y, w;  // below 2^30
   } off_[2];
-  std::uint32_t nearest_;  // w
+  std::int32_t nearest_;  // w
 };
 
 // How many equal steps in t bring the curve's chords on the screen within the tolerance: 1 … kMaxSteps. The same for

@@ -65,7 +65,7 @@ void PatchJob::project_held() {
       const std::uint8_t code = projection.outcode(p);
       outside_any |= code;
       outside_all &= code;
-      at[i][j] = (code & Outcode::kNear) != 0 ? ScreenPlace::kNotProjected : projection.clamped(p).at;
+      at[i][j] = (code & Outcode::kNear) != 0 ? kNotProjected : projection.clamped(p).at;
     }
   }
   behind = (outside_any & Outcode::kNear) != 0;

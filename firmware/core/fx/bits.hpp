@@ -49,6 +49,28 @@ constexpr std::uint32_t subtract_halves(std::uint32_t a, std::uint32_t b) {
   return ((a - b) & 0xffffu) | ((a & 0xffff0000u) - (b & 0xffff0000u));
 }
 
+// The lesser and the greater of the halves.
+inline std::uint32_t least_halves(std::uint32_t a, std::uint32_t b) {
+#if defined(__ARM_FEATURE_SIMD32)
+  std::uint32_t out;
+  asm("ssub16 %0, %1, %2\n\tsel %0, %2, %1" : "=&r"(out) : "r"(a), "r"(b) : "cc");
+  return out;
+#else
+  return pack_halves(low_half(a) < low_half(b) ? low_half(a) : low_half(b),
+                     high_half(a) < high_half(b) ? high_half(a) : high_half(b));
+#endif
+}
+inline std::uint32_t greatest_halves(std::uint32_t a, std::uint32_t b) {
+#if defined(__ARM_FEATURE_SIMD32)
+  std::uint32_t out;
+  asm("ssub16 %0, %1, %2\n\tsel %0, %1, %2" : "=&r"(out) : "r"(a), "r"(b) : "cc");
+  return out;
+#else
+  return pack_halves(low_half(a) > low_half(b) ? low_half(a) : low_half(b),
+                     high_half(a) > high_half(b) ? high_half(a) : high_half(b));
+#endif
+}
+
 // The determinant of two pairs: a's lower half times b's higher one less the other way round. Below 2^31 where each
 // half is not -2^15.
 constexpr std::int32_t cross_halves(std::uint32_t a, std::uint32_t b) {
@@ -78,6 +100,22 @@ constexpr std::int32_t mul_high(std::int32_t a, std::int32_t b) {
   } else {
     return mul_high_by_halves(a, b);
   }
+}
+
+// The same to the nearest, halves upwards.
+inline std::int32_t mul_high_round(std::int32_t a, std::int32_t b) {
+#if defined(__ARM_FEATURE_SIMD32)
+  std::int32_t out;
+  asm("smmulr %0, %1, %2" : "=r"(out) : "r"(a), "r"(b));
+  return out;
+#else
+  if constexpr (kLongMultiply) {
+    return static_cast<std::int32_t>((static_cast<std::int64_t>(a) * b + (std::int64_t{1} << 31)) >> 32);
+  } else {
+    const std::uint32_t low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
+    return mul_high_by_halves(a, b) + static_cast<std::int32_t>(low >> 31);
+  }
+#endif
 }
 
 // sum + mul_high(a, b).

@@ -36,6 +36,16 @@ struct PackedXY {
 };
 static_assert(PackedXY(ScreenXY{-1, 2}).x() == -1 && PackedXY(ScreenXY{-1, 2}).y() == 2, "little-endian");
 
+// What points lie between, both ways at once.
+struct PackedBox {
+  PackedXY low{ScreenXY{INT16_MAX, INT16_MAX}}, high{ScreenXY{INT16_MIN, INT16_MIN}};
+
+  void widen(PackedXY p) {
+    low.word = least_halves(low.word, p.word);
+    high.word = greatest_halves(high.word, p.word);
+  }
+};
+
 // A run of pixel columns of one line, [left, right).
 struct Columns {
   std::uint16_t left = 0, right = 0;

@@ -30,11 +30,11 @@ inline constexpr CurvedPicture kCurves[] = {
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
 inline constexpr CurvedPicture kPatches[] = {
-    {"patches", &patches::scene, &patches::camera, 0x8cacab33},
-    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x0406505d},
+    {"patches", &patches::scene, &patches::camera, 0xfae6b02e},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x724c4b40},
 };
 inline constexpr CurvedPicture kSmoothPatches[] = {
-    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe1bedb4c}};
+    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0x8a85ebd1}};
 
 // Each holds all of its pictures.
 inline constexpr Budget kCurvesBudget{.facets = 16,
