@@ -81,7 +81,7 @@ TEST(Plain, LightIsThatOfTheRig) {
     for (const InstanceRecord& instance : scene.instances) {
       const LightRig rig(record, instance.transform);
       const PlainLight plain(record, instance.transform);
-      ASSERT_EQ(plain.fits(), rig.quick());
+      ASSERT_EQ(plain.fits(), rig.quick() && !is_mirrored(instance.transform));
       if (!plain.fits()) continue;
       const LightRig::One one = rig.one();
       EXPECT_EQ(plain.one().x, one.x);
@@ -129,6 +129,9 @@ TEST(Plain, OtherScenesAreRefusedByWhatTheyAreNot) {
   SceneRecord record = record_of(scene);
   record.background.bottom.b ^= 8;
   EXPECT_EQ(refusal(record, scene), "background");
+  scene.materials[0].transmission = {0, 8, 0};
+  EXPECT_EQ(refusal(record_of(scene), scene), "materials");
+  scene.materials[0].transmission = {};
   scene.instances[0].flags = InstanceRecord::kTwoSided;
   EXPECT_EQ(refusal(record_of(scene), scene), "instances");
   scene.instances[0].flags = 0;
@@ -144,7 +147,10 @@ TEST(Plain, OtherScenesAreRefusedByWhatTheyAreNot) {
   EXPECT_EQ(refusal(record, scene), "meshes");
   scene = plain_scene(0);
   for (InstanceRecord& instance : scene.instances) instance.flags = 0;
-  for (Fx16& entry : scene.instances[0].transform.matrix[0]) entry.raw += entry.raw / 8;
+  auto& row = scene.instances[0].transform.matrix[0];
+  for (Fx16& entry : row) entry.raw = -entry.raw;  // mirrored
+  EXPECT_EQ(refusal(record_of(scene), scene), "transform or normals");
+  for (Fx16& entry : row) entry.raw = -entry.raw - entry.raw / 8;
   EXPECT_EQ(refusal(record_of(scene), scene), "transform or normals");
 }
 

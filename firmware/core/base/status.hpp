@@ -15,15 +15,16 @@ enum class Code : std::uint8_t {
 };
 
 // The outcome of a fallible call: a code, its place and the figures a person needs to mend it. Trivially copyable, no
-// text of its own: `where` and `field` are string literals in flash.
+// text of its own: `where` and `field` are string literals in flash, or null where all is well, so that such a Status
+// is all zeros.
 struct Status {
   Code code = Code::ok;
-  const char* where = "";    // record type or pool name
-  const char* field = "";    // field of that record
-  std::uint32_t index = 0;   // which record (or face)
-  std::uint32_t line = 0;    // scan line, where one is concerned
-  std::uint32_t needed = 0;  // blocks needed, or the offending value
-  std::uint32_t limit = 0;   // blocks available, or the largest allowed value
+  const char* where = nullptr;  // record type or pool name
+  const char* field = nullptr;  // field of that record
+  std::uint32_t index = 0;      // which record (or face)
+  std::uint32_t line = 0;       // scan line, where one is concerned
+  std::uint32_t needed = 0;     // blocks needed, or the offending value
+  std::uint32_t limit = 0;      // blocks available, or the largest allowed value
 
   constexpr bool ok() const { return code == Code::ok; }
 };

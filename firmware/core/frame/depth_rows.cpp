@@ -11,7 +11,8 @@ namespace spanline {
   screen_ = screen;
   projection_ = Projection(camera, screen);
   farthest_ = farthest;
-  at_.faces = other_.faces = 0;
+  at_ = instances_;
+  for (Instance& instance : instances_) instance.faces = 0;
 }
 
 void DepthRows::hold(const ClipMatrix& matrix) {
@@ -20,15 +21,15 @@ void DepthRows::hold(const ClipMatrix& matrix) {
 }
 
 [[gnu::cold]] void DepthRows::find(std::uint32_t face) {
-  std::swap(at_, other_);
-  if (face - at_.first_face < at_.faces) return;
+  at_ = at_ == instances_ ? instances_ + 1 : instances_;
+  if (face - at_->first_face < at_->faces) return;
   cursor_.to_face(face);
   const MeshRecord& mesh = cursor_.mesh();
   const ClipMatrix matrix = compose(*camera_, cursor_.instance().transform, mesh);
   const int up = RoughRow::most_up(farthest_);
   near_ = (projection_.near_w << up) >> 15;
-  at_ = {cursor_.first_face(),  mesh.face_count,    cursor_.first_vertex(), mesh.corners.data(),
-         mesh.positions.data(), ClipRow(matrix, 2), RoughRow(matrix, 2, up)};
+  *at_ = {cursor_.first_face(),  mesh.face_count,    cursor_.first_vertex(), mesh.corners.data(),
+          mesh.positions.data(), ClipRow(matrix, 2), RoughRow(matrix, 2, up)};
 }
 
 // point_of(vertex of the scene, which corner) is its place on the screen.

@@ -46,9 +46,9 @@ class DepthRows {
   };
 
   const Instance& instance_of(std::uint32_t face) {
-    if (face - at_.first_face >= at_.faces) [[unlikely]]
+    if (face - at_->first_face >= at_->faces) [[unlikely]]
       find(face);
-    return at_;
+    return *at_;
   }
   void find(std::uint32_t face);
   template <typename PointOf>
@@ -66,13 +66,13 @@ class DepthRows {
            static_cast<std::int32_t>(static_cast<std::uint32_t>(farthest * nearest) >> 14);
   }
 
-  Instance at_;  // asked for last
+  Instance* at_ = nullptr;  // the one that was asked for last
   Normaliser normaliser_;
   std::int32_t near_ = 0;  // the near plane, in units of 2^15 of the rough row's
   Screen screen_;
   Projection projection_{CameraRecord{}, Screen{}};
   std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
-  Instance other_;             // asked for before at_: where two overlap, their faces come by turns
+  Instance instances_[2];      // asked for last: where two overlap, their faces come by turns
   const CameraRecord* camera_ = nullptr;
   InstanceCursor cursor_;
 };

@@ -66,8 +66,10 @@ class MeshFrame {
   // Apart, so that a line that comes out well has no room for a Status on its stack.
   [[gnu::noinline]] bool refuse(Slice<std::uint8_t> out) { return end(line_refused(out, line_bytes(), band_.top)); }
   [[gnu::noinline]] bool fall_short() { return end(mesh_.shortage()); }
-  [[gnu::noinline]] void note(const Status& status) {
+  // Whether it is a fault, of which the first is kept.
+  [[gnu::noinline]] bool note(const Status& status) {
     if (status_.ok()) status_ = status;
+    return !status.ok();
   }
 
   Screen screen_;

@@ -12,18 +12,11 @@ template <FrameOptions kOptions>
 Band MeshFrame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
   if (rest.top == 0) status_ = {};
   band_ = {};
-  Status status = check_band(rest, screen_);
-  if (status.ok()) status = check_camera(camera);
-  if (status.ok()) {
-    if (rest.top == 0) changes_.begin_frame(scene, camera);
-    rest = changes_.next(rest);
-    if (rest.empty()) return rest;
-    status = begin(scene, camera, rest.top);
-  }
-  if (!status.ok()) {
-    note(status);
-    return band_;
-  }
+  if (note(check_band(rest, screen_)) || note(check_camera(camera))) return band_;
+  if (rest.top == 0) changes_.begin_frame(scene, camera);
+  rest = changes_.next(rest);
+  if (rest.empty()) return rest;
+  if (note(begin(scene, camera, rest.top))) return band_;
   if constexpr (kOptions.plain) {
     painter_.begin_plain_lines(scene.scene().background.top);
   } else {

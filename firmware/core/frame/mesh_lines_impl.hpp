@@ -34,7 +34,7 @@ struct MeshLines<kTaps, kPaint, kPlain>::Sink {
     });
   }
   // Sees to the look of a face, and that the brush knows it where it is smooth.
-  void learn(FaceId face) const {
+  [[gnu::noinline]] void learn(FaceId face) const {
     if (!mesh.smooth()) return;
     const auto make = [this](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
     const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);

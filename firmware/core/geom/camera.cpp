@@ -42,11 +42,15 @@ Vector cross(const Fx30 (&a)[3], const Fx30 (&b)[3]) {
   return out;
 }
 
+// These two are short only where they stand once.
+[[gnu::cold, gnu::noinline]] std::int32_t saturated(std::int64_t value) { return saturate32(value); }
+// value / 2^down to the nearest, ties up; down > 0.
+[[gnu::cold, gnu::noinline]] std::int64_t rounded(std::int64_t value, int down) {
+  return ((value >> (down - 1)) + 1) >> 1;
+}
+
 // Q16.16 times any format, in that.
 std::int64_t product(Fx16 a, std::int32_t b) { return shift_round(std::int64_t{a.raw} * b, 16); }
-
-// Apart, as it is short only where it stands once.
-[[gnu::noinline]] std::int32_t saturated(std::int64_t value) { return saturate32(value); }
 
 // Which is out of its range; null: none.
 const char* wrong_field(const CameraRecord& camera) {
@@ -125,9 +129,9 @@ Status look_at(const Fx16 (&eye)[3], const Fx16 (&target)[3], const Fx16 (&up)[3
     for (int row = 0; row < 3; ++row) {
       std::int64_t dot = 0;  // Q3.61; Q46
       for (int k = 0; k < 3; ++k) dot += std::int64_t{camera.axes[row][k].raw} * world[k];
-      // Six bits of the one go before it is scaled, of the other after that.
-      const std::int64_t scaled = shift_round(origin ? dot : dot >> 6, 24) * scale[row];
-      const std::int32_t clip = saturated(shift_round(origin ? scaled >> 6 : scaled, 22));
+      // 52 bits less, of which six go before the one is scaled, and after that of the other.
+      const int early = origin ? 24 : 30;
+      const std::int32_t clip = saturated(rounded(rounded(dot, early) * scale[row], 52 - early));
       (origin ? out.offset[row] : out.linear[row][column]) = clip;
     }
   }
