@@ -160,19 +160,19 @@ ClipPoint at(const Row (&rows)[3], const Position& p) {
 // Compilers load a row's words one by one, and take a line of assembly for one instruction, so that a macro of the
 // assembler's would put what is behind it out of a short branch's reach.
 #define SPANLINE_PACKED_ROW(sum)      \
-  "ldm %[row]!, {r4, r5, r6, r7}\n\t" \
-  "smlad r4, r5, %[xy], r4\n\t"       \
-  "smlad r6, r6, %[xy], %[half]\n\t"  \
-  "smlabb r4, r7, %[z], r4\n\t"       \
-  "smlatb r6, r7, %[z], r6\n\t"       \
-  "add " sum ", r4, r6, asr #15\n\t"
+  "ldm %[row]!, {r3, r4, r5, r6}\n\t" \
+  "smlad r3, r4, %[xy], r3\n\t"       \
+  "smlad r5, r5, %[xy], %[half]\n\t"  \
+  "smlabb r3, r6, %[z], r3\n\t"       \
+  "smlatb r5, r6, %[z], r5\n\t"       \
+  "add " sum ", r3, r5, asr #15\n\t"
 inline ClipPoint at(const PackedRow (&rows)[3], const Position& p) {
   ClipPoint out;
   const PackedRow* row = rows;
   asm(SPANLINE_PACKED_ROW("%[x]") SPANLINE_PACKED_ROW("%[y]") SPANLINE_PACKED_ROW("%[w]")
       : [row] "+r"(row), [x] "=&r"(out.x), [y] "=&r"(out.y), [w] "=r"(out.w)
       : "m"(rows), [xy] "r"(PackedRow::first_two(p)), [z] "r"(p.z), [half] "r"(1 << 14)
-      : "r4", "r5", "r6", "r7");
+      : "r3", "r4", "r5", "r6");
   return out;
 }
 #undef SPANLINE_PACKED_ROW
