@@ -24,7 +24,7 @@ namespace spanline {
   return not_drawn_;
 }
 
-[[gnu::cold]] Status check_band(Band rest, const Screen& screen) {
+Status check_band(Band rest, const Screen& screen) {
   if (!rest.empty() && rest.bottom <= screen.height) return {};
   return bad_argument("band", "bottom", rest.top, rest.bottom, screen.height);
 }

@@ -146,7 +146,7 @@ template <bool kTaps, Paint kPaint, bool kPlain>
 
 // Makes it the scene to draw; fails where the edge walker cannot, or not with the pools it has.
 template <bool kTaps, Paint kPaint, bool kPlain>
-[[gnu::cold]] Status MeshLines<kTaps, kPaint, kPlain>::take(const SceneView& scene, const CameraRecord& camera) {
+Status MeshLines<kTaps, kPaint, kPlain>::take(const SceneView& scene, const CameraRecord& camera) {
   scene_ = scene;
   camera_ = camera;
   if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
