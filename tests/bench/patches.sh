@@ -36,7 +36,7 @@ check() {
       exit bad
     }'
 }
-check in-24-KB 24 1715
-check in-18-KB 18 3130
-check gouraud-in-26-KB 26 2455
-check both-sides-in-36-KB 36 5860
+check in-24-KB 24 1580
+check in-18-KB 18 2840
+check gouraud-in-26-KB 26 2320
+check both-sides-in-36-KB 36 5780

@@ -11,6 +11,25 @@ TEST(Bits, MulHighCutsTowardsMinusInfinity) {
   EXPECT_EQ(mul_high(INT32_MIN, INT32_MIN), 1 << 30);
 }
 
+TEST(Bits, HighProductsAreRoundedByTheBitBelow) {
+  std::uint32_t state = 2;
+  const auto next = [&state] { return static_cast<std::int32_t>(state = state * 1664525u + 1013904223u); };
+  for (int i = 0; i < 100000; ++i) {
+    const std::int32_t a = next(), b = next();
+    const std::uint32_t low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
+    ASSERT_EQ(mul_high_round(a, b), mul_high_by_halves(a, b) + static_cast<std::int32_t>(low >> 31)) << a << " * " << b;
+  }
+  EXPECT_EQ(mul_high_round(1 << 30, 2), 1);
+  EXPECT_EQ(mul_high_round(-1 << 30, 2), 0);
+}
+
+TEST(Bits, HalvesAreComparedEachOnItsOwn) {
+  EXPECT_EQ(least_halves(pack_halves(-3, 7), pack_halves(2, -32768)), pack_halves(-3, -32768));
+  EXPECT_EQ(greatest_halves(pack_halves(-3, 7), pack_halves(2, -32768)), pack_halves(2, 7));
+  EXPECT_EQ(least_halves(pack_halves(32767, -1), pack_halves(-32768, 0)), pack_halves(-32768, -1));
+  EXPECT_EQ(greatest_halves(pack_halves(32767, -1), pack_halves(-32768, 0)), pack_halves(32767, 0));
+}
+
 TEST(Bits, HalvesMakeTheSameHighProduct) {
   const auto same = [](std::int32_t a, std::int32_t b) {
     EXPECT_EQ(mul_high_by_halves(a, b), static_cast<std::int32_t>((std::int64_t{a} * b) >> 32)) << a << " * " << b;

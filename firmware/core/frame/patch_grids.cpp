@@ -92,10 +92,10 @@ bool PatchGrids::step_off(const PatchJob& job, const Row& row, const Open& grid,
   if (used > most_) most_ = used;
   job.dicer->step_off(row.grid, row.vertices);
   const Projection projection = job.reader.projection();  // what is written is none of it
+  const GridVertex::InRow in_row(stride, to == 0);
   const ClipPoint* in = row.vertices;
   for (GridVertex *out = &v_[at], *const end = out + stride; out != end; ++out) {
-    const ScreenPoint on_screen = projection(*in++);
-    new (out) GridVertex{0, 0, CellParts::kNone, on_screen.at, on_screen.depth, stride & 0x7fu, to == 0};
+    GridVertex::put(out, projection(*in++), in_row);
   }
   return true;
 }
@@ -135,6 +135,13 @@ void PatchGrids::color(const PatchJob& job, const Light& light, GridVertex* cell
   }
 }
 
+// Whether something of a cell may be seen.
+static bool meets(const PatchWindow& window, const PackedXY (&corners)[4]) {
+  PackedBox box;
+  for (const PackedXY& p : corners) box.widen(p);
+  return window.meets(ScreenBounds(box));
+}
+
 // Notes which parts of the cells between two rows may be seen; returns whether any.
 bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below) {
   PackedXY a(above->at), d(below->at);
@@ -142,14 +149,11 @@ bool PatchGrids::note_parts(const PatchJob& job, GridVertex* above, const GridVe
   std::uint32_t any = 0;
   for (std::uint32_t i = job.columns(); i != 0; --i, ++above) {
     const PackedXY b(above[1].at), c((++below)->at);
-    std::uint8_t parts = CellParts::of<true>(a, b, c, d, false, two_sided);
-    if (parts != CellParts::kNone && !job.whole) {
-      ScreenBounds bounds;
-      for (const PackedXY& p : {a, b, c, d}) bounds.widen(p.unpacked());
-      if (!job.window.meets(bounds)) parts = CellParts::kNone;
+    const std::uint32_t parts = CellParts::of<true>(a, b, c, d, false, two_sided);
+    if (parts != CellParts::kNone && (job.whole || meets(job.window, {a, b, c, d}))) {
+      above->parts = parts & 7u;
+      any = 1;
     }
-    above->parts = parts & 7u;
-    any |= parts;
     a = b;
     d = c;
   }

@@ -23,6 +23,18 @@ struct GridVertex {
   std::uint32_t depth : 24;     // Q16.8
   std::uint32_t stride : 7;     // vertices of a row
   std::uint32_t first_row : 1;  // no cells lie above
+
+  // A vertex of no cell, in a row of `of` vertices, the first one or another.
+  struct InRow {
+    std::uint32_t word;
+    InRow(std::uint32_t of, bool first) : word(of << 24 | (first ? 1u << 31 : 0u)) {}
+  };
+  // By words, which compilers do not make of bit fields.
+  static void put(GridVertex* to, const ScreenPoint& p, const InRow& row) {
+    const std::uint32_t words[3] = {0, PackedXY(p.at).word, p.depth | row.word};
+    auto* const at = static_cast<char*>(__builtin_assume_aligned(to, alignof(GridVertex)));
+    for (int i = 0; i < 3; ++i) __builtin_memcpy(at + 4 * i, &words[i], 4);
+  }
 };
 static_assert(sizeof(GridVertex) == 12 && kMaxSteps + 1 < 1 << 7);
 

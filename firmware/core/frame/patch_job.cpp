@@ -40,11 +40,11 @@ PatchJob::PatchJob(const FacetReader& facets, const PatchLook& patch_look, const
   } else {
     project_held();
   }
-  ScreenBounds points;
+  PackedBox points;
   for (const auto& row : at) {
-    for (const ScreenXY& p : row) points.widen(p);
+    for (const ScreenXY& p : row) points.widen(PackedXY(p));
   }
-  bounds = points.of_hull();
+  bounds = ScreenBounds(points).of_hull();
   nothing = nothing || !(behind || window.meets(bounds));
   if (nothing) return;
   whole = !outside && window.holds(bounds);

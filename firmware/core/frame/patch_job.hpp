@@ -25,6 +25,12 @@ struct ScreenBounds {
 
   std::int32_t top = kFar, bottom = -kFar, left = kFar, right = -kFar;
 
+  ScreenBounds() = default;
+  constexpr ScreenBounds(std::int32_t t, std::int32_t b, std::int32_t l, std::int32_t r)
+      : top(t), bottom(b), left(l), right(r) {}
+  explicit ScreenBounds(const PackedBox& points)
+      : ScreenBounds(points.low.y(), points.high.y(), points.low.x(), points.high.x()) {}
+
   void widen(const ScreenBounds& other) {
     if (other.top < top) top = other.top;
     if (other.bottom > bottom) bottom = other.bottom;
@@ -70,10 +76,18 @@ struct CellParts {
   template <bool kNear = false>
   static std::uint8_t of(PackedXY a, PackedXY b, PackedXY c, PackedXY d, bool mirrored, bool two_sided) {
     // Doubled, negative for fronts; a b c + a c d = a b d + b c d.
-    constexpr auto area = [](PackedXY p, PackedXY q, PackedXY r) {
-      return kNear ? doubled_area_near(p, q, r) : doubled_area(p, q, r);
-    };
-    std::int32_t abc = area(a, b, c), acd = area(a, c, d), abd = area(a, b, d);
+    std::int32_t abc, acd, abd;
+    if constexpr (kNear && kDualMultiply) {
+      const std::uint32_t ab = subtract_halves(b.word, a.word), ac = subtract_halves(c.word, a.word),
+                          ad = subtract_halves(d.word, a.word);
+      abc = cross_halves(ab, ac);
+      acd = cross_halves(ac, ad);
+      abd = cross_halves(ab, ad);
+    } else {
+      abc = doubled_area(a, b, c);
+      acd = doubled_area(a, c, d);
+      abd = doubled_area(a, b, d);
+    }
     if (mirrored) {
       abc = -abc;
       acd = -acd;
@@ -83,6 +97,7 @@ struct CellParts {
                                                static_cast<std::uint32_t>(abd));
     const std::int32_t any = abc | acd | abd | bcd;
     if (any >= 0) return two_sided && any != 0 ? kQuad : kNone;
+    if ((abc & acd & abd & bcd) < 0) return kQuad;
     if (abc <= 0 && acd <= 0 && abd <= 0 && bcd <= 0) return kQuad;
     const bool upper = two_sided ? abc != 0 : abc < 0, lower = two_sided ? acd != 0 : acd < 0;
     if (!upper && !lower) return kNone;
