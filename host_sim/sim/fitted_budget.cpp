@@ -216,9 +216,13 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
   }
   budget.looks = static_cast<std::uint16_t>(looks - 1);
   budget.band_vertices = static_cast<std::uint16_t>(vertices);
-  const std::size_t rest = left - looks * look - vertices * sizeof(BandVertex);
+  std::size_t rest = left - looks * look - vertices * sizeof(BandVertex);
   const std::size_t more_planes = std::bit_floor(planes + 1 + rest / kPlaneBytes) - 1;
   budget.planes = static_cast<std::uint16_t>(std::min<std::size_t>(more_planes, fitted.planes));
+  rest -= (budget.planes - planes) * kPlaneBytes;
+  // With more room edges are moved less often.
+  budget.edges =
+      static_cast<std::uint16_t>(budget.edges + std::min<std::size_t>(rest / sizeof(ActiveEdge), budget.edges));
   return budget;
 }
 

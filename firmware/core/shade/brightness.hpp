@@ -80,7 +80,7 @@ static_assert(sizeof(FaceLook) == 16);
 
 // The place of a face among those that are kept, in the lowest bits. Faces that meet a line often have numbers that are
 // a power of two apart.
-constexpr std::uint32_t face_place(FaceId face) { return face ^ std::uint32_t{face} >> 5; }
+constexpr std::uint32_t face_place(FaceId face) { return face + (std::uint32_t{face} >> 5); }
 
 // What Gouraud's shading uses; without looks everything is flat.
 struct SmoothStorage {

@@ -103,7 +103,7 @@ asm(R"(
     mov r6, r12
     ldmia r6!, {r0, r5}             @ colours, mask
     lsrs r6, r4, #5                 @ face_place()
-    eors r6, r4
+    adds r6, r6, r4
     ands r5, r6
     lsls r5, r5, #2
     ldr r0, [r0, r5]
@@ -163,7 +163,7 @@ asm(R"(
     orrs r4, r6
     lsls r6, r4, #16
     lsrs r6, r6, #21                @ LookChains::head_of()
-    eors r6, r4
+    adds r6, r6, r4
     uxtb r6, r6
     ldrb r5, [r5, r6]
     .endm

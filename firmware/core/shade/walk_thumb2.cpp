@@ -88,7 +88,7 @@ asm(R"(
     .macro band_flat_span unknown
     uxth lr, r9
 5:  ldm r12, {r0, r4}               @ colours, mask
-    eor r5, lr, lr, lsr #5          @ face_place()
+    add r5, lr, lr, lsr #5          @ face_place()
     and r4, r5
     ldr r4, [r0, r4, lsl #2]
     uxth r5, r4
@@ -103,7 +103,7 @@ asm(R"(
     ldrb r4, [r4, lr]
     .endm
     .macro look_by_head
-    eor lr, lr, lr, lsr #5          @ LookChains::head_of()
+    add lr, lr, lr, lsr #5          @ LookChains::head_of()
     uxtb lr, lr
     ldrb r4, [r4, lr]
     .endm

@@ -57,17 +57,39 @@ void BandVertices::plan() {
   }
 }
 
-// Behind the last key before `key`, which begins a word, that may be one of 1 to `last`; `first` where there is none.
-const std::uint8_t* BandVertices::skip(const std::uint8_t* first, const std::uint8_t* key, std::uint32_t last) {
+// Notes the vertices that may be of the band, each with its key as BandVertex::next.
+void BandVertices::gather() {
+  if (end_ == band_top_) return;
   constexpr std::uint32_t kEach = 0x01010101;
   static_assert(kFiled == 0x80 && kBelow == kFiled - 1, "sums of two keys below it stay in their bytes");
-  const std::uint32_t beyond = (kBelow - last) * kEach;
+  const std::uint32_t last = key_of(end_ - 1), beyond = (kBelow - last) * kEach;
+  const std::uint8_t* const before = keys_.sink();  // of a vertex's key, at the vertex
+  const std::uint8_t* const first = before + 1 + first_;
+  BandVertex* out = band_.sink();
+  const auto take = [&](const std::uint8_t* key) {
+    ++out;
+    out->vertex = static_cast<std::uint16_t>(key - before);
+    out->next = *key;
+  };
+  const std::uint8_t* key = before + 1 + last_;
+  const auto take_to = [&](const std::uint8_t* end) {
+    while (key != end) {
+      if (*--key - 1u < last) take(key);
+    }
+  };
+  const std::size_t behind = reinterpret_cast<std::uintptr_t>(key) % 4;
+  take_to(static_cast<std::size_t>(key - first) < behind ? first : key - behind);
   for (; key - first >= 4; key -= 4) {
     std::uint32_t four;
     __builtin_memcpy(&four, __builtin_assume_aligned(key - 4, 4), 4);
-    if (((four + kBelow * kEach) & ~(four + beyond) & kFiled * kEach) != 0) break;
+    std::uint32_t theirs = (four + kBelow * kEach) & ~(four + beyond) & kFiled * kEach;
+    for (const std::uint8_t* at = key; theirs != 0; theirs <<= 8) {
+      --at;
+      if (theirs >> 31 != 0) take(at);
+    }
   }
-  return key;
+  take_to(first);
+  filed_ = static_cast<std::uint8_t>(out - band_.sink());
 }
 
 }  // namespace spanline

@@ -110,8 +110,8 @@ class BandVertices {
     return line < bottom_ ? line : bottom_;
   }
   void clear_band(std::int32_t top);
+  void gather();
   void plan();
-  static const std::uint8_t* skip(const std::uint8_t* first, const std::uint8_t* key, std::uint32_t last);
   // The first vertex with one of `keys` keys from `first` on.
   std::uint32_t next(std::uint32_t from, std::uint32_t first, std::uint32_t keys) const {
     const std::uint8_t *key = &keys_[0] + 1 + from, *const end = &keys_[0] + 1 + last_;
@@ -136,26 +136,24 @@ class BandVertices {
 template <typename Place>
 void BandVertices::begin_band(std::int32_t top, const Place& place) {
   clear_band(top);
-  if (end_ == band_top_) return;
-  const std::uint32_t last_key = key_of(end_ - 1);
+  gather();
   BandVertex* const band = band_.sink();
   std::uint8_t* const buckets = &buckets_[1];
+  const std::int32_t end = end_;
   std::uint32_t filed = 0;
-  std::uint8_t *const first = &keys_[1] + first_, *key = &keys_[1] + last_;
-  for (;;) {
-    if (reinterpret_cast<std::uintptr_t>(key) % 4 == 0) key = const_cast<std::uint8_t*>(skip(first, key, last_key));
-    if (key == first) break;
-    --key;
-    if (*key - 1u >= last_key) continue;
-    const auto vertex = static_cast<std::uint32_t>(key - &keys_[1]);
-    const ScreenXY at = place(vertex);
+  for (std::uint32_t i = 1, gathered = filed_; i <= gathered; ++i) {
+    const std::uint16_t vertex = band[i].vertex;
+    const ScreenXY at = place(vertex - 1u);
     const std::int32_t line = first_line(at);
-    if (line >= end_) continue;
+    if (line >= end) {  // with lines of the band in one key
+      keys_[vertex] = band[i].next;
+      continue;
+    }
     std::uint8_t* link = buckets + (line - top);
     while (*link != 0 && band[*link].at.x < at.x) link = &band[*link].next;
-    band[++filed] = {at, static_cast<std::uint16_t>(vertex + 1), *link, BandVertex::kNoLevel};
+    band[++filed] = {at, vertex, *link, BandVertex::kNoLevel};
     *link = static_cast<std::uint8_t>(filed);
-    *key = static_cast<std::uint8_t>(kFiled + filed);
+    keys_[vertex] = static_cast<std::uint8_t>(kFiled + filed);
   }
   filed_ = static_cast<std::uint8_t>(filed);
 }
