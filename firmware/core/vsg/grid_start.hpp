@@ -43,6 +43,10 @@ struct CellAreas {
   bool is_back(std::uint32_t face, bool apart) const { return (!apart ? both() : face % 2u != 0 ? lower : upper) > 0; }
 };
 
+// Puts *end in its place among the edges before it, which are in order of x, behind a sentinel whose x is less. True
+// where it has become one with another: the two halves of a joint of grids are one edge, whose faces are of two grids.
+bool take_in(ActiveEdge* end);
+
 // Starts the edges of vertices that begin on one line. kBothSides: cells may show their backs; else all that are drawn
 // show their fronts.
 template <typename Vertex, bool kBothSides = false>
@@ -53,18 +57,23 @@ class GridStart {
   // Those of a list of vertices through `next`, the first one to `begin`, before which a sentinel's x is INT32_MIN,
   // none to `last`. Returns their end, or null where there is no room for all.
   ActiveEdge* start(std::uint32_t vertex, ActiveEdge* const begin, const ActiveEdge* last) const {
+    const GridStart here = *this;  // what is written is none of it
     ActiveEdge* out = begin;
-    for (; vertex != 0; vertex = vertices_[vertex].next) {
-      const FromVertex from(PackedXY(vertices_[vertex].at), line_);
-      const ActiveEdge* const end =
-          static_cast<std::size_t>(last - out) >= kMost ? put(vertex, out) : put_in_little_room(vertex, out, last);
+    for (; vertex != 0; vertex = here.vertices_[vertex].next) {
+      const FromVertex from(PackedXY(here.vertices_[vertex].at), here.line_);
+      ActiveEdge* end = static_cast<std::size_t>(last - out) >= kMost ? here.put(vertex, out)
+                                                                      : put_in_little_room(here, vertex, out, last);
       if (end == nullptr) [[unlikely]]
         return nullptr;
-      for (; out != end; ++out) {
+      while (out != end) {
         from.run(*out, PackedXY(static_cast<std::uint32_t>(out->x)), out->rest);
         // They come nearly in order.
-        if (out->x < out[-1].x) [[unlikely]]
-          insert_back(begin, out, ActiveEdge{*out});
+        if (out->x > out[-1].x || !take_in(out)) [[likely]] {
+          ++out;
+          continue;
+        }
+        --end;
+        for (ActiveEdge* to = out; to != end; ++to) *to = to[1];
       }
     }
     return out;
@@ -79,42 +88,69 @@ class GridStart {
     const std::uint32_t stride = at->stride;
     const Vertex *const up = at - stride, *const down = at + stride;
     // The cells around the vertex; beyond the grid's rim they have no parts.
+    const auto cover_of = [](std::uint32_t cell, const Vertex& first) {
+      return (0u - (first.parts & 1u)) & ((CoverKey{1} << kCoverCount) + 2 * cell);
+    };
+    const CoverKey below_right = cover_of(vertex, *at), below_left = cover_of(vertex - 1, at[-1]);
+    CoverKey above_right = 0, above_left = 0;
+    ActiveEdge* const begin = out;
+    if (at->first_row == 0) {
+      if (((up->parts | up[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
+        return put_any(*this, vertex, begin);
+      above_right = cover_of(vertex - stride, *up);
+      above_left = cover_of(vertex - stride - 1, up[-1]);
+      put_edge(up, above_right, above_left, out);
+    }
+    if (((at->parts | at[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
+      return put_any(*this, vertex, begin);
+    put_edge(at - 1, above_left, below_left, out);
+    put_edge(at + 1, below_right, above_right, out);
+    put_edge(down, below_left, below_right, out);
+    return out;
+  }
+  // The same whatever its cells are.
+  [[gnu::noinline]] static ActiveEdge* put_any(GridStart here, std::uint32_t vertex, ActiveEdge* out) {
+    const Vertex* const at = &here.vertices_[vertex];
+    const std::uint32_t stride = at->stride;
+    const Vertex *const up = at - stride, *const down = at + stride;
     const CellCovers below_right(vertex, at->parts), below_left(vertex - 1, at[-1].parts);
     CellCovers above_right, above_left;
-    // Half of the edges run up. The face counter-clockwise of an edge lies on its right, if it shows its front. Where
-    // both sides are the same, there may be no neighbour.
-    const auto put_edge = [&out](PackedXY bottom, CoverKey begins, CoverKey ends) {
-      out->x = static_cast<std::int32_t>(bottom.word);
-      out->toggle = begins - ends;
-      out->rest = static_cast<FaceId>(ends);
-      ++out;
-    };
-    const auto edge = [&, centre = line_ * kSubpixels + kSubpixels / 2](const Vertex* to, CoverKey begins,
-                                                                        CoverKey ends) {
-      if (begins == ends) return;
-      const PackedXY bottom(to->at);
-      if (bottom.y() <= centre) return;
-      if constexpr (kBothSides) {
-        const bool swap_begins = begins != 0 && is_back(begins), swap_ends = ends != 0 && is_back(ends);
-        if (begins != 0 && ends != 0 && swap_begins != swap_ends) {  // a fold: both lie on the same side
-          swap_begins ? put_edge(bottom, 0, begins) : put_edge(bottom, begins, 0);
-          return swap_ends ? put_edge(bottom, ends, 0) : put_edge(bottom, 0, ends);
-        }
-        if (swap_begins || swap_ends) std::swap(begins, ends);
-      }
-      put_edge(bottom, begins, ends);
-    };
     if (at->first_row == 0) {
       above_right = {vertex - stride, up->parts};
       above_left = {vertex - stride - 1, up[-1].parts};
-      edge(up, above_right.lower, above_left.upper);
-      edge(up - 1, above_left.upper, above_left.lower);
+      here.put_edge(up, above_right.lower, above_left.upper, out);
+      here.put_edge(up - 1, above_left.upper, above_left.lower, out);
     }
-    edge(at - 1, above_left.lower, below_left.upper);
-    edge(at + 1, below_right.upper, above_right.lower);
-    edge(down, below_left.upper, below_right.lower);
-    edge(down + 1, below_right.lower, below_right.upper);
+    here.put_edge(at - 1, above_left.lower, below_left.upper, out);
+    here.put_edge(at + 1, below_right.upper, above_right.lower, out);
+    here.put_edge(down, below_left.upper, below_right.lower, out);
+    here.put_edge(down + 1, below_right.lower, below_right.upper, out);
     return out;
+  }
+  // Puts the edge to there, if it runs down: half of the edges run up. The face counter-clockwise of an edge lies on
+  // its right, if it shows its front. Where both sides are the same, there may be no neighbour.
+  [[gnu::always_inline]] void put_edge(const Vertex* to, CoverKey begins, CoverKey ends, ActiveEdge*& out) const {
+    if (begins == ends) return;
+    const PackedXY bottom(to->at);
+    if (bottom.y() <= line_ * kSubpixels + kSubpixels / 2) return;
+    out = kBothSides ? put_sides(*this, out, bottom, begins, ends) : put_one(out, bottom, begins, ends);
+  }
+  static ActiveEdge* put_one(ActiveEdge* out, PackedXY bottom, CoverKey begins, CoverKey ends) {
+    out->x = static_cast<std::int32_t>(bottom.word);
+    out->toggle = begins - ends;
+    out->rest = static_cast<FaceId>(ends);
+    return out + 1;
+  }
+  // The same of faces that may show their backs.
+  [[gnu::noinline]] static ActiveEdge* put_sides(GridStart here, ActiveEdge* out, PackedXY bottom, CoverKey begins,
+                                                 CoverKey ends) {
+    const bool swap_begins = begins != 0 && here.is_back(begins), swap_ends = ends != 0 && here.is_back(ends);
+    if (begins != 0 && ends != 0 && swap_begins != swap_ends) {  // a fold: both lie on the same side
+      out = swap_begins ? put_one(out, bottom, 0, begins) : put_one(out, bottom, begins, 0);
+      return swap_ends ? put_one(out, bottom, ends, 0) : put_one(out, bottom, 0, ends);
+    }
+    if (swap_begins || swap_ends) std::swap(begins, ends);
+    return put_one(out, bottom, begins, ends);
   }
   bool is_back(CoverKey cover) const {
     const FaceId face = only_face(cover);
@@ -122,10 +158,10 @@ class GridStart {
     return CellAreas(cell).is_back(face, (cell->parts & CellCovers::kApart) != 0);
   }
   // The same by way of elsewhere; null where there is no room for those that begin.
-  [[gnu::cold, gnu::noinline]] ActiveEdge* put_in_little_room(std::uint32_t vertex, ActiveEdge* out,
-                                                              const ActiveEdge* last) const {
+  [[gnu::cold, gnu::noinline]] static ActiveEdge* put_in_little_room(GridStart here, std::uint32_t vertex,
+                                                                     ActiveEdge* out, const ActiveEdge* last) {
     ActiveEdge edges[kMost];
-    const ActiveEdge* const end = put(vertex, edges);
+    const ActiveEdge* const end = put_any(here, vertex, edges);
     if (end - edges > last - out) return nullptr;
     for (const ActiveEdge* edge = edges; edge != end; ++edge) *out++ = *edge;
     return out;
