@@ -87,7 +87,9 @@ struct MeshLines<kTaps, kPaint, kPlain>::Planes {
 
   DepthPlane operator()(FaceId face) const { return mesh.rows_.plane(face - 1u, mesh.points_); }
   FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.rows_.nearest(set, cache); }
-  FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const { return mesh.rows_.nearer(a, b, cache); }
+  FaceId nearer(FaceId a, FaceId b, std::int32_t, std::int32_t, PlaneCache& cache) const {
+    return mesh.rows_.nearer(a, b, cache);
+  }
 };
 
 template <bool kTaps, Paint kPaint, bool kPlain>

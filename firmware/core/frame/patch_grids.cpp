@@ -261,13 +261,13 @@ std::uint16_t PatchGrids::sorted(std::uint16_t first) const {
   return sorted_by_x<0>(Links{&v_[0]}, first);
 }
 
-std::uint32_t PatchGrids::corners(FaceId face, std::uint32_t (&corner)[4]) const {
-  const std::uint32_t a = face / 2u, d = a + v_[a].stride;
+std::uint32_t PatchGrids::corners(FaceId face, const GridVertex* (&corner)[4]) const {
+  const GridVertex *const a = &v_[face / 2u], *const d = a + a->stride;
   corner[0] = a;
   corner[1] = a + 1;
   corner[2] = d + 1;
   corner[3] = d;
-  if ((v_[a].parts & CellParts::kApart) == 0) return 4;
+  if ((a->parts & CellParts::kApart) == 0) return 4;
   if (face % 2u != 0) {
     corner[1] = d + 1;
     corner[2] = d;
@@ -282,15 +282,17 @@ bool PatchGrids::is_back(FaceId face) const {
 
 template <typename Take>
 void PatchGrids::each_crossing(FaceId face, std::int32_t line, const Take& take) const {
-  std::uint32_t corner[4];
+  const GridVertex* corner[4];
   const std::uint32_t count = corners(face, corner);
   const std::int32_t centre = line * kSubpixels + kSubpixels / 2;
-  const GridVertex* from = &v_[corner[count - 1]];
+  const GridVertex* from = corner[count - 1];
+  bool above = from->at.y <= centre;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const GridVertex* const to = &v_[corner[i]];
-    const bool above = from->at.y <= centre;
-    if (above != (to->at.y <= centre)) above ? take(*from, *to, true) : take(*to, *from, false);
+    const GridVertex* const to = corner[i];
+    const bool then = to->at.y <= centre;
+    if (above != then) above ? take(*from, *to, true) : take(*to, *from, false);
     from = to;
+    above = then;
   }
 }
 
@@ -310,27 +312,27 @@ static std::int32_t reach_unit(std::uint32_t depth) {
   return static_cast<std::int32_t>(depth >> (kDepthBits - 16)) + INT16_MIN;
 }
 
-DepthReach PatchGrids::reach(FaceId face) const {
+void PatchGrids::reach(FaceId face, DepthReach& to) const {
   const GridVertex* const above = &v_[face / 2u];
   const GridVertex* const below = above + above->stride;
   const std::uint32_t a = above->depth, b = above[1].depth, c = below[1].depth, d = below->depth;
   const std::uint32_t low_ab = a < b ? a : b, high_ab = a < b ? b : a;
   const std::uint32_t low_cd = c < d ? c : d, high_cd = c < d ? d : c;
-  return {face, static_cast<std::int16_t>(reach_unit(high_ab > high_cd ? high_ab : high_cd)),
-          static_cast<std::int16_t>(reach_unit(low_ab < low_cd ? low_ab : low_cd))};
+  to.nearest = static_cast<std::int16_t>(reach_unit(high_ab > high_cd ? high_ab : high_cd));
+  to.farthest = static_cast<std::int16_t>(reach_unit(low_ab < low_cd ? low_ab : low_cd));
 }
 
-DepthReach PatchGrids::reach(FaceId face, std::int32_t line) const {
+GridChord PatchGrids::chord(FaceId face, std::int32_t line) const {
   const std::int32_t centre = line * kSubpixels + kSubpixels / 2;
-  std::int32_t nearest = INT16_MIN, farthest = INT16_MAX;
-  each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool) {
+  std::int32_t x[2]{}, depth[2]{};  // of the edge that runs up, and down
+  each_crossing(face, line, [&](const GridVertex& top, const GridVertex& bottom, bool down) {
     const std::int32_t start = reach_unit(top.depth), rise = reach_unit(bottom.depth) - start;
+    const std::int32_t along = centre - top.at.y, height = bottom.at.y - top.at.y;
     static_assert(0xffff * std::int64_t{kMaxExtent * kSubpixels - 1} <= INT32_MAX, "from the top to the line");
-    const std::int32_t depth = start + rise * (centre - top.at.y) / (bottom.at.y - top.at.y);
-    if (depth > nearest) nearest = depth;
-    if (depth < farthest) farthest = depth;
+    depth[down] = start + rise * along / height;
+    x[down] = top.at.x + (bottom.at.x - top.at.x) * along / height;
   });
-  return {face, static_cast<std::int16_t>(nearest), static_cast<std::int16_t>(farthest)};
+  return {x[0], depth[0], x[1] - x[0], depth[1] - depth[0]};
 }
 
 DepthRamp PatchGrids::ramp(FaceId face, std::int32_t line) const {

@@ -38,6 +38,25 @@ struct GridVertex {
 };
 static_assert(sizeof(GridVertex) == 12 && kMaxSteps + 1 < 1 << 7);
 
+// A face on a line, between its two edges there, in whole units: 28.4 px, off by less than one, and depths of 1/65536,
+// less by two or greater by one at most.
+struct GridChord {
+  std::int32_t x, depth;     // of one edge
+  std::int32_t width, rise;  // to the other
+
+  // The depth in a column's middle, where it covers that: by what its fraction of the width is off, steepness() at
+  // most, and a unit farther off than depths at the edges are.
+  std::int32_t depth_at(std::int32_t column) const {
+    if (width == 0) return depth;
+    static_assert(0xffff * std::int64_t{kMaxExtent * kSubpixels + 1} <= INT32_MAX, "rise along the width");
+    return depth + rise * (column * kSubpixels + kSubpixels / 2 - x) / width;
+  }
+  std::int32_t steepness() const {
+    const std::int32_t units = width == 0 ? rise : rise / width;
+    return (units < 0 ? -units : units) + 1;
+  }
+};
+
 class PatchGrids {
  public:
   PatchGrids() = default;
@@ -84,16 +103,16 @@ class PatchGrids {
   }
   BrightnessPlane brightness(FaceId face) const;
   // The corners of a face, counter-clockwise if it shows its front; returns how many.
-  std::uint32_t corners(FaceId face, std::uint32_t (&corner)[4]) const;
+  std::uint32_t corners(FaceId face, const GridVertex* (&corner)[4]) const;
   // Whether a face shows its back, which clockwise corners do.
   bool is_back(FaceId face) const;
   // The edge of a face that crosses `line` and runs down (on its left, if it shows its front) or up. False where none
   // does.
   bool find_edge(FaceId face, std::int32_t line, bool down, ScreenEdge& edge) const;
   // What its corners' depths lie between, in units of 1/65536 less half the range; nearer ones are greater.
-  DepthReach reach(FaceId face) const;
-  // The same of its two edges on a line that it covers a pixel of, less by two units or greater by one at most.
-  DepthReach reach(FaceId face, std::int32_t line) const;
+  void reach(FaceId face, DepthReach& to) const;
+  // Roughly where it runs along a line that it covers a pixel of.
+  GridChord chord(FaceId face, std::int32_t line) const;
   // Its depth along a line that it covers a pixel of.
   DepthRamp ramp(FaceId face, std::int32_t line) const;
   // The number of its patch in the scene.

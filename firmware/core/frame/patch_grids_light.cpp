@@ -30,13 +30,13 @@ void PatchGrids::light(const PatchJob& job, std::uint32_t header, std::uint32_t 
 }
 
 BrightnessPlane PatchGrids::brightness(FaceId face) const {
-  std::uint32_t corner[4];
+  const GridVertex* corner[4];
   const std::uint32_t count = corners(face, corner);
   ScreenXY at[4];
   Brightness level[4]{};
   for (std::uint32_t i = 0; i != count; ++i) {
-    at[i] = v_[corner[i]].at;
-    level[i] = static_cast<Brightness>(v_[corner[i]].color);
+    at[i] = corner[i]->at;
+    level[i] = static_cast<Brightness>(corner[i]->color);
   }
   return count == 4 ? cell_brightness(at, level)
                     : brightness_plane({at[0], at[1], at[2]}, {level[0], level[1], level[2]});

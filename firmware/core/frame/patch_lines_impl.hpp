@@ -77,13 +77,13 @@ struct PatchLines<kTaps, kPaint>::Planes {
     lines.planes_made_ = true;
     return {lines.grids_.ramp(face, line), 0};
   }
-  FaceId nearer(FaceId a, FaceId b, PlaneCache& cache) const {
+  FaceId nearer(FaceId a, FaceId b, std::int32_t left, std::int32_t right, PlaneCache& cache) const {
     const DepthReach& of_a = reach_of(a, cache);
     const std::int32_t nearest = of_a.nearest, farthest = of_a.farthest;  // the other one may take its place
     const DepthReach& of_b = reach_of(b, cache);
     if (apart(farthest, of_b.nearest)) return a;
     if (apart(of_b.farthest, nearest)) return b;
-    return nearer_on_line(a, b);
+    return nearer_on_span(a, b, left, right);
   }
   FaceId nearest(const OverlapSet& set, PlaneCache& cache) const {
     FaceId front = 0;
@@ -103,20 +103,23 @@ struct PatchLines<kTaps, kPaint>::Planes {
 
  private:
   const DepthReach& reach_of(FaceId face, PlaneCache& cache) const {
-    return cache.reach(face, [this, face](DepthReach& to) { to = lines.grids_.reach(face); });
+    return cache.reach(face, [this, face](DepthReach& to) { lines.grids_.reach(face, to); });
   }
-  // Likewise by what they reach on the line alone.
-  [[gnu::noinline]] FaceId nearer_on_line(FaceId a, FaceId b) const {
-    const DepthReach of_a = lines.grids_.reach(a, line), of_b = lines.grids_.reach(b, line);
-    if (apart<kOff>(of_a.farthest, of_b.nearest)) return a;
-    return apart<kOff>(of_b.farthest, of_a.nearest) ? b : FaceId{0};
+  // Likewise by where they run along the line, which is linear: who is ahead at both ends of the span is ahead between
+  // them.
+  [[gnu::noinline]] FaceId nearer_on_span(FaceId a, FaceId b, std::int32_t left, std::int32_t right) const {
+    const GridChord of_a = lines.grids_.chord(a, line), of_b = lines.grids_.chord(b, line);
+    const std::int32_t off = kOff + of_a.steepness() + of_b.steepness();
+    const std::int32_t at_left = of_a.depth_at(left) - of_b.depth_at(left);
+    const std::int32_t at_right = of_a.depth_at(right - 1) - of_b.depth_at(right - 1);
+    if (at_left > off && at_right > off) return a;
+    return at_left < -off && at_right < -off ? b : FaceId{0};
   }
-  // Reaches are cut down to units of depth, those on a line are off by kOff more, and ramps by less than one.
-  static constexpr std::int32_t kOff = 2;
-  template <std::int32_t kMore = 0>
-  static bool apart(std::int32_t farthest, std::int32_t nearest) {
-    return farthest > nearest + 1 + kMore;
-  }
+  // Of two chords one is three units too far off and the other two too near at most, but for their steepness, and ramps
+  // are off by less than half a unit each.
+  static constexpr std::int32_t kOff = 6;
+  // Reaches are cut down to units of depth.
+  static bool apart(std::int32_t farthest, std::int32_t nearest) { return farthest > nearest + 1; }
 };
 
 template <bool kTaps, Paint kPaint>

@@ -56,7 +56,8 @@ class EdgeWalker {
   // than the overlap set holds: from there on spans of several faces are left out.
   // again(ActiveEdge&, line) begins a tall edge again; false where it has ended, and for every other edge.
   // plane.nearest(const OverlapSet&, PlaneCache&) is the face that is nearer than every other one wherever both are, or
-  // 0 where that takes planes; plane.nearer(FaceId, FaceId, PlaneCache&) likewise of two.
+  // 0 where that takes planes; plane.nearer(FaceId, FaceId, left, right, PlaneCache&) likewise of two, over these
+  // columns.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
 
@@ -179,7 +180,7 @@ inline FaceId EdgeWalker::front(std::int32_t line, std::int32_t right, const Sin
     a = overlap_[0];
     b = overlap_[1];
   }
-  if (const FaceId face = plane.nearer(a, b, planes_); face != 0) [[likely]]
+  if (const FaceId face = plane.nearer(a, b, walk_.left, right, planes_); face != 0) [[likely]]
     return face;
   return front_of_set(line, right, sink, plane);
 }
