@@ -8,8 +8,8 @@ namespace spanline::test {
 
 inline constexpr int kShards = 8;
 
-// What the sanitizers slow down some ten times, they look at a third of: the engine without them has compared every scene, and
-// what they find shows in the first ones.
+// What the sanitizers slow down some ten times, they look at a third of: the engine without them has compared every
+// scene, and what they find shows in the first ones.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr std::uint64_t kSliceShare = 3;
 #else
