@@ -5,6 +5,7 @@
 #include "assetc/compile.hpp"
 #include "assetc/input_error.hpp"
 #include "assetc/scene_json.hpp"
+#include "frames/code_parts.hpp"
 #include "frames/count.hpp"
 #include "frames/link_map.hpp"
 #include "frames/rivals.hpp"
@@ -39,6 +40,22 @@ TEST(LinkMap, CountsWhatTheEnginePlaced) {
       " .bss.pool       0x20000000      0x100 core/libspanline_frame.a(frame_plane.cpp.obj)\n"
       " .debug_info     0x00000000      0x500 core/libspanline_frame.a(frame_plane.cpp.obj)\n");
   EXPECT_EQ(engine_text_bytes(path), 0x08u + 0x30 + 0x0c + 0x04 + 0x10);
+}
+
+TEST(CodeParts, AreAllOfTheEngine) {
+  const std::string path = file_with(
+      "Linker script and memory map\n\n"
+      " .text.spanline_flat_walk 0x00000000 0x100 core/libspanline_shade.a(walk_thumb2.cpp.obj)\n"
+      " .text._ZN8spanline10EdgeWalker5go_onINS_9MeshLinesEEEv 0x00000100 0x40 main.cpp.obj\n"
+      " .text._ZN8spanline9MeshLines9make_lookEt 0x00000140 0x20 core/libspanline_frame.a(frame_edges.cpp.obj)\n"
+      " .text._ZN8spanline12check_cameraE 0x00000160 0x8 core/libspanline_geom.a(camera.cpp.obj)\n");
+  const std::vector<CodePart> parts = code_parts(path);
+  std::uint32_t bytes = 0;
+  for (const CodePart& part : parts) bytes += part.bytes;
+  EXPECT_EQ(bytes, engine_text_bytes(path));
+  EXPECT_EQ(parts.front().bytes, 0x140u);  // the walk
+  EXPECT_EQ(parts[4].bytes, 0x20u);        // brightness
+  EXPECT_EQ(parts.back().bytes, 0x8u);     // the rest
 }
 
 TEST(LinkMap, RefusesWhatIsNone) {

@@ -34,6 +34,8 @@ rows() {
 
 "$tools/spanline-frames" pieces "$work" m4 m3 m0plus > "$work/pieces.md"
 
+"$tools/spanline-frames" parts "$work/m4/S3-flat.map" "$work/m4/S3-gouraud.map" > "$work/parts.md"
+
 sh "$source/tests/bench/kept.sh" "$source" "$work" "$tools/spanline" > "$work/kept.md"
 
 sh "$source/tests/bench/half.sh" "$source" "$work" "$tools/spanline-frames" "$work/frames.json" > "$work/half.md"

@@ -40,10 +40,10 @@ bool is_text(const std::string& section) { return section.rfind(".text", 0) == 0
 }  // namespace
 
 // A contribution is " .text.name 0xADDRESS 0xSIZE member", broken in two lines after a long name.
-std::uint32_t engine_text_bytes(const std::string& path) {
+std::vector<Contribution> engine_contributions(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw host::InputError(path, "cannot be read");
-  std::uint32_t bytes = 0;
+  std::vector<Contribution> found;
   bool placed = false;  // what comes before the memory map was thrown away
   std::string section;
   for (std::string line; std::getline(in, line);) {
@@ -54,10 +54,16 @@ std::uint32_t engine_text_bytes(const std::string& path) {
     std::string address, size, member;
     if (!(words >> address >> size >> member) || address.rfind("0x", 0) != 0 || size.rfind("0x", 0) != 0) continue;
     if (is_text(section) && (of_engine(member) || is_engine_template(section)))
-      bytes += static_cast<std::uint32_t>(std::stoul(size, nullptr, 16));
+      found.push_back({section, member, static_cast<std::uint32_t>(std::stoul(size, nullptr, 16))});
     section.clear();
   }
-  if (bytes == 0) throw host::InputError(path, "is no map of an image with the engine in it");
+  if (found.empty()) throw host::InputError(path, "is no map of an image with the engine in it");
+  return found;
+}
+
+std::uint32_t engine_text_bytes(const std::string& path) {
+  std::uint32_t bytes = 0;
+  for (const Contribution& one : engine_contributions(path)) bytes += one.size;
   return bytes;
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "assetc/input_error.hpp"
+#include "frames/code_parts.hpp"
 #include "frames/count.hpp"
 #include "frames/pieces.hpp"
 #include "frames/prices.hpp"
@@ -50,11 +51,13 @@ int main(int argc, char** argv) {
   const spanline::bench::CountCommand count(app);
   const spanline::bench::PiecesCommand pieces(app);
   const spanline::bench::PricesCommand prices(app);
+  const spanline::bench::PartsCommand parts(app);
   return spanline::host::exit_code_of(app, [&] {
     app.parse(argc, argv);
     if (prepare.chosen()) prepare.run();
     if (count.chosen()) count.run();
     if (pieces.chosen()) pieces.run();
     if (prices.chosen()) prices.run();
+    if (parts.chosen()) parts.run();
   });
 }
