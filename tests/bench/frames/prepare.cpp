@@ -61,7 +61,7 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
 // The budget that draws the scene in so many bytes, with two line buffers where it is whole then, else with one.
 std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, std::uint32_t memory) {
   // What frames take on an M0+, and the Frame itself.
-  const std::uint32_t stack = fitted.plain ? (fitted.gouraud ? 1692 : 1492) : (fitted.gouraud ? 1756 : 1612);
+  const std::uint32_t stack = fitted.plain ? (fitted.gouraud ? 1692 : 1540) : (fitted.gouraud ? 1756 : 1612);
   const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
   for (const unsigned lines : {2u, 1u}) {
     if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < stack + lines * line) continue;
