@@ -38,7 +38,8 @@ rows() {
 
 sh "$source/tests/bench/kept.sh" "$source" "$work" "$tools/spanline" > "$work/kept.md"
 
-sh "$source/tests/bench/half.sh" "$source" "$work" "$tools/spanline-frames" "$work/frames.json" > "$work/half.md"
+sh "$source/tests/bench/half.sh" "$source" "$work" "$tools/spanline-frames" "$work/frames.json" > "$work/half.md" ||
+  { grep FAILED "$work/half.md" >&2; exit 1; }
 
 sh "$source/tests/bench/growth.sh" "$source" "$work" "$tools/spanline-frames" > "$work/growth.md"
 
