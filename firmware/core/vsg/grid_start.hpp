@@ -17,12 +17,16 @@ struct CellCovers {
 
   CellCovers() = default;
   CellCovers(std::uint32_t vertex, std::uint32_t parts) {
-    const CoverKey cover = (CoverKey{1} << kCoverCount) + 2 * vertex;
+    const CoverKey cover = cover_of(vertex);
     upper = only_if(parts & kUpper, cover);
     lower = only_if((parts & kLower) / kLower, cover + parts / kApart);
   }
 
+  // Of a cell that is not apart, which covers as a whole or not at all.
+  static CoverKey whole(std::uint32_t vertex, std::uint32_t parts) { return only_if(parts & kUpper, cover_of(vertex)); }
+
  private:
+  static CoverKey cover_of(std::uint32_t vertex) { return (CoverKey{1} << kCoverCount) + 2 * vertex; }
   static CoverKey only_if(std::uint32_t bit, CoverKey cover) { return (0u - bit) & cover; }
 };
 
@@ -88,17 +92,15 @@ class GridStart {
     const std::uint32_t stride = at->stride;
     const Vertex *const up = at - stride, *const down = at + stride;
     // The cells around the vertex; beyond the grid's rim they have no parts.
-    const auto cover_of = [](std::uint32_t cell, const Vertex& first) {
-      return (0u - (first.parts & 1u)) & ((CoverKey{1} << kCoverCount) + 2 * cell);
-    };
-    const CoverKey below_right = cover_of(vertex, *at), below_left = cover_of(vertex - 1, at[-1]);
+    const CoverKey below_right = CellCovers::whole(vertex, at->parts);
+    const CoverKey below_left = CellCovers::whole(vertex - 1, at[-1].parts);
     CoverKey above_right = 0, above_left = 0;
     ActiveEdge* const begin = out;
     if (at->first_row == 0) {
       if (((up->parts | up[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
         return put_any(*this, vertex, begin);
-      above_right = cover_of(vertex - stride, *up);
-      above_left = cover_of(vertex - stride - 1, up[-1]);
+      above_right = CellCovers::whole(vertex - stride, up->parts);
+      above_left = CellCovers::whole(vertex - stride - 1, up[-1].parts);
       put_edge(up, above_right, above_left, out);
     }
     if (((at->parts | at[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
