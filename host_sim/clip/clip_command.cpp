@@ -16,7 +16,7 @@ void note(std::uint32_t count, const char* one, const char* many) {
 }  // namespace
 
 ClipCommand::ClipCommand(CLI::App& app)
-    : verb_(app.add_subcommand("clip", "what of a region lies inside and outside of another (GeoJSON)")) {
+    : Verb(app.add_subcommand("clip", "what of a region lies inside and outside of another (GeoJSON)")) {
   verb_->add_option("SUBJECT", subject_, "the region that is cut: a Polygon, a MultiPolygon or a Feature with one")
       ->required();
   verb_->add_option("CLIP", clip_, "the region that cuts it")->required();
@@ -27,8 +27,6 @@ ClipCommand::ClipCommand(CLI::App& app)
       "the "
       "input has. Output rings follow RFC 7946.");
 }
-
-bool ClipCommand::chosen() const { return verb_->parsed(); }
 
 void ClipCommand::run() const {
   const ClippedRegions clipped = clip_regions(read_geojson(subject_), read_geojson(clip_));

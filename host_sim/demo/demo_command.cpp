@@ -72,7 +72,7 @@ Picture draw(const demos::Demo& demo, const Screen& screen, std::uint32_t frame,
 }  // namespace
 
 DemoCommand::DemoCommand(CLI::App& app)
-    : verb_(app.add_subcommand("demo", "draw a firmware's demo as its board shows it: through its panel's driver")) {
+    : Verb(app.add_subcommand("demo", "draw a firmware's demo as its board shows it: through its panel's driver")) {
   verb_->add_option("NAME", name_, "which demo: see --list");
   verb_->add_option("--board", board_, "the board whose panel it is framed for");
   verb_->add_option("--frame", frame_, "which frame (default: 0)");
@@ -80,8 +80,6 @@ DemoCommand::DemoCommand(CLI::App& app)
   panel_.add_to(*verb_);
   verb_->add_flag("--list", list_, "print the names of the demos, one a line");
 }
-
-bool DemoCommand::chosen() const { return verb_->parsed(); }
 
 void DemoCommand::run() const {
   if (list_) {

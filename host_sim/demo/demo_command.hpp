@@ -5,16 +5,15 @@
 #include <string>
 
 #include "core/geom/screen.hpp"
-#include "sim/cli_app.hpp"
 #include "sim/panel_options.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::host {
 
 // `spanline demo`: what a board shows, drawn on the host by the same code.
-class DemoCommand {
+class DemoCommand : public Verb {
  public:
   explicit DemoCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;
@@ -26,7 +25,6 @@ class DemoCommand {
   };
   Shown shown() const;
 
-  CLI::App* verb_;
   bool list_ = false;
   std::optional<std::string> name_, board_, frame_, out_;
   PanelOptions panel_;

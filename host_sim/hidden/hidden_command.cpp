@@ -12,7 +12,7 @@
 namespace spanline::host {
 
 HiddenCommand::HiddenCommand(CLI::App& app)
-    : verb_(app.add_subcommand("hidden", "remove hidden surfaces and lines: polygons out (SVG, JSON)")) {
+    : Verb(app.add_subcommand("hidden", "remove hidden surfaces and lines: polygons out (SVG, JSON)")) {
   scene_.add_to(*verb_);
   verb_->add_option("--svg", svg_, "a drawing: filled surfaces, or lines with --lines");
   verb_->add_option("--json", json_, "a scene file of what is visible, in world and screen coordinates");
@@ -21,8 +21,6 @@ HiddenCommand::HiddenCommand(CLI::App& app)
   verb_->add_option("--window", window_, "quarter the screen until a window has at most so many polygons");
   verb_->footer("At least one of --svg and --json is needed. A Gouraud face has the colour of its plane.");
 }
-
-bool HiddenCommand::chosen() const { return verb_->parsed(); }
 
 void HiddenCommand::run() const {
   if (!svg_ && !json_) throw UsageError("nothing to do: give --svg or --json");

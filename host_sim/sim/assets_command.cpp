@@ -25,7 +25,7 @@ constexpr const char* kFooter =
 }  // namespace
 
 AssetsCommand::AssetsCommand(CLI::App& app)
-    : verb_(app.add_subcommand("assets", "compile a scene to constexpr C++ tables for a firmware")) {
+    : Verb(app.add_subcommand("assets", "compile a scene to constexpr C++ tables for a firmware")) {
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the source file; its name, or the header's, is the namespace")->required();
   verb_->add_option("--header", header_, "the header with the declarations");
@@ -35,8 +35,6 @@ AssetsCommand::AssetsCommand(CLI::App& app)
   verb_->add_flag("--report", report_, "print what the tables occupy, and how many faces there were before merging");
   verb_->footer(kFooter);
 }
-
-bool AssetsCommand::chosen() const { return verb_->parsed(); }
 
 std::uint32_t AssetsCommand::merge_most() const {
   if (!merge_most_) return kMostMergedCorners;

@@ -4,16 +4,15 @@
 #include <string>
 
 #include "assetc/compile.hpp"
-#include "sim/cli_app.hpp"
 #include "sim/scene_options.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::host {
 
 // `spanline assets`: a scene as constexpr tables for a firmware.
-class AssetsCommand {
+class AssetsCommand : public Verb {
  public:
   explicit AssetsCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;
@@ -22,7 +21,6 @@ class AssetsCommand {
   std::uint32_t merge_most() const;
   void rework(CompiledScene& scene) const;
 
-  CLI::App* verb_;
   SceneOptions scene_;
   std::string out_;
   std::optional<std::string> header_, merge_most_;

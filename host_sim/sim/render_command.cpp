@@ -62,7 +62,7 @@ constexpr const char* kRenderFooter =
 
 }  // namespace
 
-RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render", "draw a scene into picture files")) {
+RenderCommand::RenderCommand(CLI::App& app) : Verb(app.add_subcommand("render", "draw a scene into picture files")) {
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the picture, .png or .ppm");
   verb_->add_option("--ids", ids_, "PPM: per pixel 1 + the number of the visible face, 24 bits, high byte red");
@@ -88,8 +88,6 @@ RenderCommand::RenderCommand(CLI::App& app) : verb_(app.add_subcommand("render",
   panel_.add_to(*verb_);
   verb_->footer(kRenderFooter);
 }
-
-bool RenderCommand::chosen() const { return verb_->parsed(); }
 
 void RenderCommand::check_outputs() const {
   if (!out_ && !ids_ && !depth_ && !stats_ && !expect_ && !panel_.log_given()) {

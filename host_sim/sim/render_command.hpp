@@ -6,19 +6,18 @@
 #include <string>
 
 #include "assetc/compile.hpp"
-#include "sim/cli_app.hpp"
 #include "sim/engine.hpp"
 #include "sim/panel_options.hpp"
 #include "sim/scene_options.hpp"
 #include "sim/stats_json.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::host {
 
 // `spanline render`: pictures of a scene in files.
-class RenderCommand {
+class RenderCommand : public Verb {
  public:
   explicit RenderCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws UsageError, and InputError for what went wrong: a picture unlike the one that --expect names, too.
   void run() const;
@@ -37,7 +36,6 @@ class RenderCommand {
                      std::int64_t frame) const;
   void compare_with_expected(const Picture& picture) const;
 
-  CLI::App* verb_;
   SceneOptions scene_;
   bool on_screen_ = false;
   std::optional<std::string> out_, ids_, depth_, stats_, expect_;

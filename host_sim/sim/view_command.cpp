@@ -13,12 +13,10 @@ constexpr double kReach = 12;  // bounding radii: how far one can zoom out
 }  // namespace
 
 ViewCommand::ViewCommand(CLI::App& app)
-    : verb_(app.add_subcommand("view", "show a scene in a window and let one walk around it")) {
+    : Verb(app.add_subcommand("view", "show a scene in a window and let one walk around it")) {
   scene_.add_to(*verb_);
   verb_->footer("Drag to turn, wheel to zoom, space to start and stop the motion, S to save a picture, Esc to quit.");
 }
-
-bool ViewCommand::chosen() const { return verb_->parsed(); }
 
 void ViewCommand::run() const {
   refuse_without_window();

@@ -66,12 +66,10 @@ std::vector<CodePart> code_parts(const std::string& path) {
 }
 
 PartsCommand::PartsCommand(CLI::App& app)
-    : verb_(app.add_subcommand("parts", "what the engine's code consists of, from link maps")) {
+    : Verb(app.add_subcommand("parts", "what the engine's code consists of, from link maps")) {
   verb_->add_option("flat", flat_, "the map of a flat image")->required();
   verb_->add_option("gouraud", gouraud_, "that of one with Gouraud shading")->required();
 }
-
-bool PartsCommand::chosen() const { return verb_->parsed(); }
 
 void PartsCommand::run() const {
   const std::vector<CodePart> flat = code_parts(flat_), gouraud = code_parts(gouraud_);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli_app.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::bench {
 
@@ -19,16 +19,14 @@ struct CodePart {
 std::vector<CodePart> code_parts(const std::string& path);
 
 // `spanline-frames parts FLAT.map GOURAUD.map`: a table in Markdown on the standard output.
-class PartsCommand {
+class PartsCommand : public host::Verb {
  public:
   explicit PartsCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws InputError where a map is none.
   void run() const;
 
  private:
-  CLI::App* verb_;
   std::string flat_, gouraud_;
 };
 

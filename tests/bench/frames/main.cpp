@@ -10,19 +10,19 @@
 #include "frames/prices.hpp"
 #include "sim/exit_code.hpp"
 #include "sim/output_file.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::bench {
 namespace {
 
 // `spanline-frames count FOLDER CPU/FRAME…`: FOLDER/CPU/FRAME.elf draws what was prepared in FOLDER/frames/FRAME.
-class CountCommand {
+class CountCommand : public host::Verb {
  public:
-  explicit CountCommand(CLI::App& app) : verb_(app.add_subcommand("count", "execute images, print and write a table")) {
+  explicit CountCommand(CLI::App& app) : Verb(app.add_subcommand("count", "execute images, print and write a table")) {
     verb_->add_option("folder", folder_, "where frames/ and the images of each core are")->required();
     verb_->add_option("image", images_, "CPU/FRAME, as m4/S1-flat")->required();
     verb_->add_option("--out", out_, "the JSON file")->required();
   }
-  bool chosen() const { return verb_->parsed(); }
 
   void run() const {
     std::vector<FrameCount> frames;
@@ -36,7 +36,6 @@ class CountCommand {
   }
 
  private:
-  CLI::App* verb_;
   std::string folder_, out_;
   std::vector<std::string> images_;
 };

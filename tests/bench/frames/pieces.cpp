@@ -109,12 +109,10 @@ Column column_of(const std::string& folder, const std::string& cpu, const std::s
 }  // namespace
 
 PiecesCommand::PiecesCommand(CLI::App& app)
-    : verb_(app.add_subcommand("pieces", "a table of what each stage costs for each of its pieces")) {
+    : Verb(app.add_subcommand("pieces", "a table of what each stage costs for each of its pieces")) {
   verb_->add_option("folder", folder_, "where frames/ and the images of each core are")->required();
   verb_->add_option("cpu", cpus_, "m0plus, m3, m4")->required();
 }
-
-bool PiecesCommand::chosen() const { return verb_->parsed(); }
 
 void PiecesCommand::run() const {
   std::ostringstream head("| |", std::ios::ate), rule("|---|", std::ios::ate);

@@ -4,22 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli_app.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::bench {
 
 // `spanline-frames pieces FOLDER CPU…`: from the images of S1 and S4 that frames.sh left in FOLDER, flat and Gouraud
 // shaded, a table in Markdown: instructions by stage, through the call tree, divided by what the scene has of it.
-class PiecesCommand {
+class PiecesCommand : public host::Verb {
  public:
   explicit PiecesCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws InputError, also where a stage is not found in an image.
   void run() const;
 
  private:
-  CLI::App* verb_;
   std::string folder_;
   std::vector<std::string> cpus_;
 };

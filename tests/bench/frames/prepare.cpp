@@ -74,14 +74,12 @@ std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, s
 }  // namespace
 
 PrepareCommand::PrepareCommand(CLI::App& app)
-    : verb_(app.add_subcommand("prepare", "compile a scene for an image that draws it, with a budget that fits")) {
+    : Verb(app.add_subcommand("prepare", "compile a scene for an image that draws it, with a budget that fits")) {
   scene_.add_to(*verb_);
   verb_->add_option("--out", out_, "the folder")->required();
   verb_->add_option("--point-lines", point_lines_, "draw patches as points, in bands of so many lines (default: dice)");
   verb_->add_option("--memory", memory_, "bytes for everything: pools, line buffers, stack (default: what it takes)");
 }
-
-bool PrepareCommand::chosen() const { return verb_->parsed(); }
 
 void PrepareCommand::run() const {
   CompiledScene scene = compile(scene_.load(false));

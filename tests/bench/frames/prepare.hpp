@@ -5,8 +5,8 @@
 #include <string>
 
 #include "frames/units.hpp"
-#include "sim/cli_app.hpp"
 #include "sim/scene_options.hpp"
+#include "sim/verb.hpp"
 
 namespace spanline::bench {
 
@@ -24,16 +24,14 @@ Expected read_expected(const std::string& folder);
 
 // `spanline-frames prepare SCENE --out FOLDER`: shown.cpp, shown.hpp (namespace shown: the scene's tables), budget.hpp
 // (fitted to it), expected.json.
-class PrepareCommand {
+class PrepareCommand : public host::Verb {
  public:
   explicit PrepareCommand(CLI::App& app);
-  bool chosen() const;
 
   // Throws UsageError and InputError.
   void run() const;
 
  private:
-  CLI::App* verb_;
   host::SceneOptions scene_;
   std::string out_;
   std::uint16_t point_lines_ = 0;

@@ -86,14 +86,12 @@ std::string frames_text(const std::vector<Scene>& scenes) {
 }  // namespace
 
 PricesCommand::PricesCommand(CLI::App& app)
-    : verb_(app.add_subcommand("prices", "fit what the budget's sweep expects of frames")) {
+    : Verb(app.add_subcommand("prices", "fit what the budget's sweep expects of frames")) {
   verb_->add_option("folder", folder_, "where frames/ and the images of each core are")->required();
   verb_->add_option("scene", scenes_, "as S1, flat and Gouraud")->required();
   verb_->add_option("--prices", prices_, "the file of prices")->required();
   verb_->add_option("--frames", frames_, "the file of counted frames")->required();
 }
-
-bool PricesCommand::chosen() const { return verb_->parsed(); }
 
 void PricesCommand::run() const {
   std::vector<Scene> scenes;
