@@ -4,59 +4,11 @@
 #include "assetc/scene_json.hpp"
 #include "oracle/random.hpp"
 #include "vsg/scale.hpp"
+#include "walker/band_memory.hpp"
 #include "walker/decisions.hpp"
 
 namespace spanline::test {
 namespace {
-
-// The storage of a BandPools whose sizes are chosen here.
-struct BandMemory {
-  struct Sizes {
-    std::uint16_t vertices, lines, looks, tables, planes, edges = 2000;
-    bool gouraud = true;
-    std::uint32_t points = 0;
-  };
-
-  BandMemory(const SceneView& view, const Screen& screen, const Sizes& sizes)
-      : drawn(BitPool::words_for(view.face_count()) + 1u),
-        keys(view.vertex_count() + 1u),
-        vertices(sizes.vertices + 1u),
-        buckets(sizes.lines + 1u),
-        colors(sizes.looks + 1u),
-        heads(LookChains::heads_for(view.face_count())),
-        links(sizes.looks + 1u),
-        edges(sizes.edges + 1u),
-        planes(sizes.planes + 1u),
-        reaches(PlaneCache::reaches_for(sizes.planes) + 1u),
-        looks(sizes.looks + 1u),
-        tables(sizes.tables + 1u),
-        points(sizes.points + 1u) {
-    storage.screen = screen;
-    storage.mesh.walker.edges[0] = ref(edges);
-    storage.mesh.walker.planes = ref(planes);
-    storage.mesh.walker.reaches = ref(reaches);
-    storage.mesh.walker.points = ref(points);
-    storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors), ref(heads), ref(links)};
-    if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
-  }
-  template <typename T>
-  static PoolRef<T> ref(std::vector<T>& items) {
-    return {items.data(), static_cast<std::uint16_t>(items.size() - 1)};
-  }
-  std::vector<std::uint32_t> drawn;
-  std::vector<std::uint8_t> keys;
-  std::vector<BandVertex> vertices;
-  std::vector<std::uint8_t> buckets;
-  std::vector<FaceColor> colors;
-  std::vector<std::uint8_t> heads, links;
-  std::vector<ActiveEdge> edges;
-  std::vector<CachedPlane> planes;
-  std::vector<DepthReach> reaches;
-  std::vector<FaceLook> looks;
-  std::vector<ColorTable> tables;
-  std::vector<ScreenXY> points;
-  FrameStorage storage{};
-};
 
 constexpr FrameOptions kWhole{.taps = true, .walker = Walker::edges};
 constexpr FrameOptions kBands{.taps = true, .walker = Walker::edges, .bands = true};
@@ -108,6 +60,42 @@ TEST_P(Bands, ShowWhatTheWholeFrameShows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shards, Bands, testing::Range(0, kShards));
+
+// A background that differs from line to line is each line's own, behind flat faces and smooth ones.
+template <Paint kPaint>
+int expect_backgrounds(std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  MeshScene scene = random_mesh_scene(seed + 6000000);
+  scene.screen.format = PixelFormat::rgb565;
+  SceneRecord record = scene.record();
+  record.background = {{static_cast<std::uint8_t>(seed * 29), 8, 200}, {40, static_cast<std::uint8_t>(seed * 53), 0}};
+  SceneView view;
+  EXPECT_TRUE(SceneView::validate(record, view).ok());
+  constexpr bool kSmooth = kPaint == Paint::smooth_words;
+  Memory plenty(scene.screen, 2000, kSmooth);
+  BandMemory little(view, scene.screen,
+                    {.vertices = 40,
+                     .lines = scene.screen.height,
+                     .looks = static_cast<std::uint16_t>(seed % 2 == 0 ? 63 : 15),
+                     .tables = kSmooth,
+                     .planes = 7,
+                     .gouraud = kSmooth});
+  const Decisions whole = draw_by<FrameOptions{.walker = Walker::edges}>(plenty.memory.storage(), view, scene.camera);
+  const Decisions bands = draw_by<FrameOptions{.walker = Walker::edges, .bands = true, .paint = kPaint}>(
+      little.storage, view, scene.camera);
+  if (!whole.drawn || !whole.status.ok() || !bands.status.ok()) return 0;
+  EXPECT_TRUE(whole.bytes == bands.bytes) << "other bytes";
+  return 1;
+}
+
+TEST(Bands, HaveTheBackgroundOfEachLine) {
+  int drawn = 0;
+  for (std::uint64_t seed = 0, end = scene_count(200, 4000); seed < end && !HasFailure(); ++seed) {
+    drawn += expect_backgrounds<Paint::flat_words>(seed);
+    drawn += expect_backgrounds<Paint::smooth_words>(seed);
+  }
+  EXPECT_GT(drawn, 50);
+}
 
 // The benchmark's scenes from next to no memory to enough for one band.
 class BandSizes : public testing::TestWithParam<std::tuple<const char*, const char*>> {};

@@ -30,12 +30,13 @@ inline void record_span(void* context, const VisibleSpan& span) {
   }
 }
 
+// Without taps only the bytes and the status.
 template <FrameOptions kOptions>
 Decisions draw_by(const FrameStorage& storage, const SceneView& view, const CameraRecord& camera,
                   std::uint16_t first_band = 2046) {
   Decisions decisions(storage.screen);
   Frame<kOptions> frame(storage);
-  frame.set_tap({&decisions, record_span});
+  if constexpr (kOptions.taps) frame.set_tap({&decisions, record_span});
   std::vector<std::uint32_t> words(frame.line_bytes() / 4 + 1);
   const Slice<std::uint8_t> line(reinterpret_cast<std::uint8_t*>(words.data()), frame.line_bytes());
   for (Band rest{0, storage.screen.height}; !rest.empty();) {
