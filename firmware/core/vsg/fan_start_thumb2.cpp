@@ -1,4 +1,5 @@
 // start_fans() and start_band_fans() in assembly, for cores with Thumb-2.
+#include "core/vsg/edge_start_thumb2.hpp"
 #include "core/vsg/fan_start_layout.hpp"
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
@@ -7,7 +8,7 @@ namespace spanline {
 
 static_assert(fan_start_layout_holds<FanStart>() && band_start_layout_holds<BandStart>());
 
-asm(R"(
+asm(SPANLINE_EDGE_SLOPE R"(
     .syntax unified
     .thumb
 
@@ -190,15 +191,9 @@ spanline_start_fans_\kind:
     mov r8, r4
     rsb r3, r9, r7, lsl #16         @ across
     add r7, r6, r10                 @ down
-    eor r4, r3, r3, asr #31
-    orr r4, r7, r4, lsr #17
-    cmp r4, #512
-    bhs 30f
-    lsls r3, r3, #4
-    sdiv r4, r3, r7
+    edge_slope r4, r3, r7, r4, 30f
     subs r6, #1
     asrs r6, r6, #4
-    subs r4, #1
     mul r3, r4, r10
     add r6, lr, r6, lsl #17
     ldrd lr, r7, [sp]

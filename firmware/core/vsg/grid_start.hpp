@@ -1,6 +1,7 @@
 // The edges that begin on a line where faces lie in grids: each from its upper end to its neighbours in the grid.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include "core/vsg/active_edge.hpp"
@@ -49,7 +50,22 @@ struct CellAreas {
 
 // Puts *end in its place among the edges before it, which are in order of x, behind a sentinel whose x is less. True
 // where it has become one with another: the two halves of a joint of grids are one edge, whose faces are of two grids.
-bool take_in(ActiveEdge* end);
+bool take_in(ActiveEdge* end) asm("spanline_take_in");
+
+// Where it stands in a list of vertices. Assembly knows where each member stands.
+struct GridList {
+  const void* vertices;
+  std::uint32_t vertex;  // the next; 0: there is none
+  std::int32_t line;
+  ActiveEdge* out;      // behind the last edge that begins; out[-1].x is that of a sentinel, INT32_MIN, to start with
+  std::uintptr_t last;  // beyond which out has no room for all edges of a vertex, as a number
+};
+
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+// GridStart::start_plain() in assembly up to the first vertex beside a cell whose triangles are apart, or for whose
+// edges there may be no room.
+void start_cells(GridList& list) asm("spanline_start_cells");
+#endif
 
 // Starts the edges of vertices that begin on one line. kBothSides: cells may show their backs; else all that are drawn
 // show their fronts.
@@ -60,25 +76,20 @@ class GridStart {
 
   // Those of a list of vertices through `next`, the first one to `begin`, before which a sentinel's x is INT32_MIN,
   // none to `last`. Returns their end, or null where there is no room for all.
-  ActiveEdge* start(std::uint32_t vertex, ActiveEdge* const begin, const ActiveEdge* last) const {
+  ActiveEdge* start(std::uint32_t vertex, ActiveEdge* begin, const ActiveEdge* last) const {
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+    if constexpr (!kBothSides) return start_quickly(vertex, begin, last);
+#endif
+    return start_plain(vertex, begin, last);
+  }
+  // The same for any core.
+  ActiveEdge* start_plain(std::uint32_t vertex, ActiveEdge* out, const ActiveEdge* last) const {
     const GridStart here = *this;  // what is written is none of it
-    ActiveEdge* out = begin;
-    for (; vertex != 0; vertex = here.vertices_[vertex].next) {
-      const FromVertex from(PackedXY(here.vertices_[vertex].at), here.line_);
-      ActiveEdge* end = static_cast<std::size_t>(last - out) >= kMost ? here.put(vertex, out)
-                                                                      : put_in_little_room(here, vertex, out, last);
-      if (end == nullptr) [[unlikely]]
-        return nullptr;
-      while (out != end) {
-        from.run(*out, PackedXY(static_cast<std::uint32_t>(out->x)), out->rest);
-        // They come nearly in order.
-        if (out->x > out[-1].x || !take_in(out)) [[likely]] {
-          ++out;
-          continue;
-        }
-        --end;
-        for (ActiveEdge* to = out; to != end; ++to) *to = to[1];
-      }
+    for (; vertex != 0 && out != nullptr; vertex = here.vertices_[vertex].next) {
+      ActiveEdge* const end = static_cast<std::size_t>(last - out) >= kMost
+                                  ? here.put(vertex, out)
+                                  : put_in_little_room(here, vertex, out, last);
+      out = here.take_all_in(vertex, out, end);
     }
     return out;
   }
@@ -86,6 +97,39 @@ class GridStart {
  private:
   static constexpr std::size_t kMost = kBothSides ? 12 : 6;  // edges of a vertex
 
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
+  ActiveEdge* start_quickly(std::uint32_t vertex, ActiveEdge* begin, const ActiveEdge* last) const {
+    static_assert(sizeof(Vertex) == 12 && offsetof(Vertex, at) == 4, "assembly knows it");
+    GridList list{vertices_, vertex, line_, begin, reinterpret_cast<std::uintptr_t>(last) - kMost * sizeof(ActiveEdge)};
+    for (;;) {
+      start_cells(list);
+      if (list.vertex == 0) return list.out;
+      ActiveEdge* const end = reinterpret_cast<std::uintptr_t>(list.out) <= list.last
+                                  ? put_any(*this, list.vertex, list.out)
+                                  : put_in_little_room(*this, list.vertex, list.out, last);
+      if (end == nullptr) return nullptr;
+      list.out = take_all_in(list.vertex, list.out, end);
+      list.vertex = vertices_[list.vertex].next;
+    }
+  }
+#endif
+  // Runs the vertex's edges, which have been put to `out`, and puts them in their places. Returns their end.
+  [[gnu::always_inline]] ActiveEdge* take_all_in(std::uint32_t vertex, ActiveEdge* out, ActiveEdge* end) const {
+    if (end == nullptr) [[unlikely]]
+      return nullptr;
+    const FromVertex from(PackedXY(vertices_[vertex].at), line_);
+    while (out != end) {
+      from.run(*out, PackedXY(static_cast<std::uint32_t>(out->x)), out->rest);
+      // They come nearly in order.
+      if (out->x > out[-1].x || !take_in(out)) [[likely]] {
+        ++out;
+        continue;
+      }
+      --end;
+      for (ActiveEdge* to = out; to != end; ++to) *to = to[1];
+    }
+    return out;
+  }
   // Puts the vertex's edges to `out`, as FromVertex::run_far() takes them. Returns their end.
   [[gnu::always_inline]] ActiveEdge* put(std::uint32_t vertex, ActiveEdge* out) const {
     const Vertex* const at = &vertices_[vertex];
@@ -95,19 +139,24 @@ class GridStart {
     const CoverKey below_right = CellCovers::whole(vertex, at->parts);
     const CoverKey below_left = CellCovers::whole(vertex - 1, at[-1].parts);
     CoverKey above_right = 0, above_left = 0;
-    ActiveEdge* const begin = out;
+    std::uint32_t parts = std::uint32_t{at->parts} | at[-1].parts;
+    bool rises = kBothSides;  // the grid's row above lies below the line on the screen, as far as is asked
     if (at->first_row == 0) {
-      if (((up->parts | up[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
-        return put_any(*this, vertex, begin);
+      parts |= std::uint32_t{up->parts} | up[-1].parts;
       above_right = CellCovers::whole(vertex - stride, up->parts);
       above_left = CellCovers::whole(vertex - stride - 1, up[-1].parts);
+      if (!kBothSides) rises = PackedXY(up->at).y() > line_ * kSubpixels + kSubpixels / 2;
+    }
+    if ((parts & CellCovers::kApart) != 0) [[unlikely]]
+      return put_any(*this, vertex, out);
+    // Counter-clockwise, so that they mostly come from left to right.
+    if (rises) {
+      put_edge(at - 1, above_left, below_left, out);
       put_edge(up, above_right, above_left, out);
     }
-    if (((at->parts | at[-1].parts) & CellCovers::kApart) != 0) [[unlikely]]
-      return put_any(*this, vertex, begin);
-    put_edge(at - 1, above_left, below_left, out);
     put_edge(at + 1, below_right, above_right, out);
     put_edge(down, below_left, below_right, out);
+    if (!rises) put_edge(at - 1, above_left, below_left, out);
     return out;
   }
   // The same whatever its cells are.
