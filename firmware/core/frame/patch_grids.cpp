@@ -4,7 +4,6 @@
 
 #include "core/shade/flat_light.hpp"
 #include "core/vsg/grid_start.hpp"
-#include "core/vsg/x_list.hpp"
 
 namespace spanline {
 
@@ -232,14 +231,12 @@ void PatchGrids::file(const PoolRef<std::uint16_t>& buckets) {
   std::uint16_t* const lists = &buckets[1];
   const std::int32_t top = top_, lines = bottom_ - top_;
   for (std::int32_t i = 0; i < lines; ++i) lists[i] = 0;
-  for (std::uint32_t header = 1, end; header <= used_; header = end) {
-    const std::uint32_t stride = v[header].stride;
-    end = header + size(header);
+  // Whole rows of a grid, from vertex i on; `above`: in the row above that one, or itself where there is none.
+  const auto file_rows = [=](std::uint32_t i, std::uint32_t end, const GridVertex* above) {
     std::uint32_t left = CellParts::kNone;  // of the cells left of the vertex
-    for (std::uint32_t i = header + 1; i != end; ++i) {
+    for (; i != end; ++i, ++above) {
       GridVertex& vertex = v[i];
-      const std::uint32_t own = vertex.parts, right = vertex.first_row != 0 ? own : own | v[i - stride].parts;
-      const std::uint32_t around = left | right;
+      const std::uint32_t right = std::uint32_t{vertex.parts} | above->parts, around = left | right;
       left = right;  // none in the last column
       if (around == CellParts::kNone) continue;
       const std::int32_t line = first_centre(vertex.at.y) - top;
@@ -248,17 +245,13 @@ void PatchGrids::file(const PoolRef<std::uint16_t>& buckets) {
       vertex.next = first & 0x1fffu;
       first = static_cast<std::uint16_t>(i);
     }
-  }
-}
-
-std::uint16_t PatchGrids::sorted(std::uint16_t first) const {
-  struct Links {
-    GridVertex* v;
-    std::uint16_t next(std::uint16_t vertex) const { return v[vertex].next; }
-    void link(std::uint16_t vertex, std::uint16_t next) const { v[vertex].next = next & 0x1fffu; }
-    std::int32_t x(std::uint16_t vertex) const { return v[vertex].at.x; }
   };
-  return sorted_by_x<0>(Links{&v_[0]}, first);
+  for (std::uint32_t header = 1, end; header <= used_; header = end) {
+    end = header + size(header);
+    const std::uint32_t first = header + 1, second = first + v[header].stride;
+    file_rows(first, second, &v[first]);
+    file_rows(second, end, &v[first]);
+  }
 }
 
 std::uint32_t PatchGrids::corners(FaceId face, const GridVertex* (&corner)[4]) const {

@@ -87,8 +87,6 @@ class PatchGrids {
   // Files every vertex with a cell under its first line, or under the run's: those of bucket[1 + line - top] are a list
   // through `next`.
   void file(const PoolRef<std::uint16_t>& buckets);
-  // The vertices of a list from left to right.
-  std::uint16_t sorted(std::uint16_t first) const;
 
   const GridVertex& operator[](std::uint32_t vertex) const { return v_[vertex]; }
 

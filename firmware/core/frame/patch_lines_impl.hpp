@@ -273,7 +273,7 @@ bool PatchLines<kTaps, kPaint>::next(std::uint16_t line, Painter& painter, const
     ++line_;
     return true;
   }
-  if (first != 0 && !start_edges(line, line == top_ ? first : grids_.sorted(first))) {
+  if (first != 0 && !start_edges(line, first)) {
     const std::uint32_t capacity = walker_.edge_capacity();
     return give_up({Code::pool_exhausted, "edges", "", 0, line, capacity + 1, capacity});
   }

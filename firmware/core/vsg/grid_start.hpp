@@ -52,10 +52,41 @@ struct CellAreas {
 // where it has become one with another: the two halves of a joint of grids are one edge, whose faces are of two grids.
 bool take_in(ActiveEdge* end) asm("spanline_take_in");
 
-// Where it stands in a list of vertices. Assembly knows where each member stands.
+// Vertices of a list, as many as fit, from left to right: x above each one's number, and a word of 0 behind the last.
+// What the next ones begin stands among what these have begun, in whatever order.
+class GridKeys {
+ public:
+  // Those from `vertex` on, through `next`.
+  template <typename Vertex>
+  GridKeys(const Vertex* vertices, std::uint32_t vertex) {
+    std::int32_t* end = keys_;
+    *end++ = INT32_MIN;  // less than any
+    do {
+      const Vertex& at = vertices[vertex];
+      const auto key = static_cast<std::int32_t>(PackedXY(at.at).word << 16 | vertex);
+      std::int32_t* to = end++;
+      for (; to[-1] > key; --to) *to = to[-1];
+      *to = key;
+      vertex = at.next;
+    } while (vertex != 0 && end != keys_ + 1 + kMost);
+    *end = 0;
+    rest_ = vertex;
+  }
+  const std::int32_t* first() const { return keys_ + 1; }
+  static std::uint32_t vertex(std::int32_t key) { return static_cast<std::uint16_t>(key); }
+  // The first one that had no room, through `next`; 0: all had.
+  std::uint32_t rest() const { return rest_; }
+
+ private:
+  static constexpr int kMost = 62;
+  std::int32_t keys_[1 + kMost + 1];
+  std::uint32_t rest_;
+};
+
+// Where it stands among the vertices of GridKeys. Assembly knows where each member stands.
 struct GridList {
   const void* vertices;
-  std::uint32_t vertex;  // the next; 0: there is none
+  const std::int32_t* key;  // of the next one
   std::int32_t line;
   ActiveEdge* out;      // behind the last edge that begins; out[-1].x is that of a sentinel, INT32_MIN, to start with
   std::uintptr_t last;  // beyond which out has no room for all edges of a vertex, as a number
@@ -63,8 +94,8 @@ struct GridList {
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
 // GridStart::start_plain() in assembly up to the first vertex beside a cell whose triangles are apart, or for whose
-// edges there may be no room.
-void start_cells(GridList& list) asm("spanline_start_cells");
+// edges there may be no room. True where it came to the end.
+bool start_cells(GridList& list) asm("spanline_start_cells");
 #endif
 
 // Starts the edges of vertices that begin on one line. kBothSides: cells may show their backs; else all that are drawn
@@ -74,43 +105,58 @@ class GridStart {
  public:
   GridStart(const Vertex* vertices, std::int32_t line) : vertices_(vertices), line_(line) {}
 
-  // Those of a list of vertices through `next`, the first one to `begin`, before which a sentinel's x is INT32_MIN,
-  // none to `last`. Returns their end, or null where there is no room for all.
+  // Those of a list of vertices through `next`, which is not empty, the first one to `begin`, before which a sentinel's
+  // x is INT32_MIN, none to `last`. Returns their end, or null where there is no room for all.
   ActiveEdge* start(std::uint32_t vertex, ActiveEdge* begin, const ActiveEdge* last) const {
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
-    if constexpr (!kBothSides) return start_quickly(vertex, begin, last);
+    if constexpr (!kBothSides) {
+      return start_keys(vertex, begin, [this, last](const std::int32_t* key, ActiveEdge* out) {
+        return start_quickly(key, out, last);
+      });
+    }
 #endif
     return start_plain(vertex, begin, last);
   }
   // The same for any core.
-  ActiveEdge* start_plain(std::uint32_t vertex, ActiveEdge* out, const ActiveEdge* last) const {
+  ActiveEdge* start_plain(std::uint32_t vertex, ActiveEdge* begin, const ActiveEdge* last) const {
     const GridStart here = *this;  // what is written is none of it
-    for (; vertex != 0 && out != nullptr; vertex = here.vertices_[vertex].next) {
-      ActiveEdge* const end = static_cast<std::size_t>(last - out) >= kMost
-                                  ? here.put(vertex, out)
-                                  : put_in_little_room(here, vertex, out, last);
-      out = here.take_all_in(vertex, out, end);
-    }
-    return out;
+    return start_keys(vertex, begin, [here, last](const std::int32_t* key, ActiveEdge* out) {
+      for (; *key != 0 && out != nullptr; ++key) {
+        const std::uint32_t at = GridKeys::vertex(*key);
+        ActiveEdge* const end =
+            static_cast<std::size_t>(last - out) >= kMost ? here.put(at, out) : put_in_little_room(here, at, out, last);
+        out = here.take_all_in(at, out, end);
+      }
+      return out;
+    });
   }
 
  private:
   static constexpr std::size_t kMost = kBothSides ? 12 : 6;  // edges of a vertex
 
+  // start_run(key, out) for as many of the list's vertices at once as GridKeys hold.
+  template <typename StartRun>
+  ActiveEdge* start_keys(std::uint32_t vertex, ActiveEdge* out, const StartRun& start_run) const {
+    do {
+      const GridKeys keys(vertices_, vertex);
+      out = start_run(keys.first(), out);
+      vertex = keys.rest();
+    } while (vertex != 0 && out != nullptr);
+    return out;
+  }
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
-  ActiveEdge* start_quickly(std::uint32_t vertex, ActiveEdge* begin, const ActiveEdge* last) const {
+  ActiveEdge* start_quickly(const std::int32_t* key, ActiveEdge* out, const ActiveEdge* last) const {
     static_assert(sizeof(Vertex) == 12 && offsetof(Vertex, at) == 4, "assembly knows it");
-    GridList list{vertices_, vertex, line_, begin, reinterpret_cast<std::uintptr_t>(last) - kMost * sizeof(ActiveEdge)};
-    for (;;) {
-      start_cells(list);
-      if (list.vertex == 0) return list.out;
+    GridList list{vertices_, key, line_, out, reinterpret_cast<std::uintptr_t>(last) - kMost * sizeof(ActiveEdge)};
+    while (!start_cells(list)) {
+      const std::uint32_t at = GridKeys::vertex(*list.key++);
       ActiveEdge* const end = reinterpret_cast<std::uintptr_t>(list.out) <= list.last
-                                  ? put_any(*this, list.vertex, list.out)
-                                  : put_in_little_room(*this, list.vertex, list.out, last);
+                                  ? put_any(*this, at, list.out)
+                                  : put_in_little_room(*this, at, list.out, last);
       if (end == nullptr) return nullptr;
-      list.out = take_all_in(list.vertex, list.out, end);
-      list.vertex = vertices_[list.vertex].next;
+      list.out = take_all_in(at, list.out, end);
     }
+    return list.out;
   }
 #endif
   // Runs the vertex's edges, which have been put to `out`, and puts them in their places. Returns their end.

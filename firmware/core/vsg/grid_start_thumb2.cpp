@@ -6,7 +6,7 @@
 
 namespace spanline {
 
-static_assert(offsetof(GridList, vertices) == 0 && offsetof(GridList, vertex) == 4 && offsetof(GridList, line) == 8);
+static_assert(offsetof(GridList, vertices) == 0 && offsetof(GridList, key) == 4 && offsetof(GridList, line) == 8);
 static_assert(offsetof(GridList, out) == 12 && offsetof(GridList, last) == 16);
 static_assert(CellCovers::kUpper == 1 && CellCovers::kApart == 4 && kCoverCount == 20);
 
@@ -14,12 +14,12 @@ asm(SPANLINE_EDGE_SLOPE R"(
     .syntax unified
     .thumb
 
-@ Throughout: r0 the vertex, r1 all of them, r2 the one below it in the grid, lr the one above, r8 x of an edge that
+@ Throughout: r0 the vertex, r1 the next key, r2 the one below it in the grid, lr the one above, r8 x of an edge that
 @ runs down from the vertex, r9 x of the vertex in the upper half, r10 from it to the line's centre, r11 that centre,
 @ r12 out. The edge: r3 x, r4 dx, r5 toggle, r6 rest.
 @ [sp] what the cells around the vertex cover, above left, below left, below right, above right, above left again: a
 @ word, and the one after it, are what begins and what ends beside an edge to the left, down, right, up. At 20
-@ GridList::last; at 24 what stands for the vertex above where there is none: no cells, above all lines; at 48 the
+@ GridList::last; at 24 what stands for the vertex above where there is none: no cells, above all lines; at 56 the
 @ GridList.
 
 @ The edge to `bottom`, what it parts at [sp, covers], if it reaches the line. Of the cells beyond the grid's rim none
@@ -72,23 +72,24 @@ asm(SPANLINE_EDGE_SLOPE R"(
     .thumb_func
 spanline_start_cells:
     push {r0, r4-r11, lr}
-    ldm r0, {r1, r3, r11, r12}
+    ldm r0, {r6, r8, r11, r12}
     ldr r7, [r0, #16]
-    sub sp, #48
+    sub sp, #56
+    mov r1, r8
     lsl r11, r11, #4
     add r11, #8
     movs r4, #0
     mov r5, #1 << 31
-    strd r7, r4, [sp, #20]
-    strd r4, r5, [sp, #36]
-    cmp r3, #0
-    beq 70f
+    strd r6, r7, [sp, #20]
+    str r4, [sp, #28]
+    strd r4, r5, [sp, #40]
+    b 8f
 
-1:  ldr r7, [sp, #20]
+1:  ldrd r5, r7, [sp, #20]
     cmp r12, r7
-    bhi 70f
+    bhi 69f
     add r0, r3, r3, lsl #1
-    add r0, r1, r0, lsl #2
+    add r0, r5, r0, lsl #2
     ldm r0, {r7-r9}
     lsls r9, r9, #1                 @ whether it is of the first row
     lsr r9, r9, #25                 @ stride
@@ -96,14 +97,14 @@ spanline_start_cells:
     add r2, r0, r5, lsl #2
     sub lr, r0, r5, lsl #2
     it cs
-    addcs lr, sp, #36
+    addcs lr, sp, #40
     ldr r6, [r0, #-12]
     ldr r5, [lr]
     ldr r4, [lr, #-12]
     orr r10, r7, r6
     orr r10, r10, r5
     orrs r10, r10, r4
-    bmi 70f
+    bmi 69f
     lsls r3, r3, #1
     orr r3, r3, #1 << 20
     sub r10, r3, r9, lsl #1
@@ -134,17 +135,19 @@ spanline_start_cells:
 2:  edge 3, "[r0, #16]", 8
     edge 4, "[r2, #4]", 4
     cmp lr, #0
-    beq 5f
+    beq 8f
     edge 5, "[r0, #-8]", 0
-5:  ldr r3, [r0]
-    ubfx r3, r3, #16, #13
+8:  ldrh r3, [r1], #4
     cmp r3, #0
     bne 1b
 
-70: ldr r4, [sp, #48]
-    str r3, [r4, #4]
+69: subs r1, #4
+    ldr r4, [sp, #56]
+    str r1, [r4, #4]
     str r12, [r4, #12]
-    add sp, #52
+    clz r0, r3                      @ 1 if it is 0
+    lsrs r0, r0, #5
+    add sp, #60
     pop {r4-r11, pc}
 
     rare 1, "[r0, #-8]"
