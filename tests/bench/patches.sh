@@ -36,7 +36,7 @@ check() {
       exit bad
     }'
 }
-check in-24-KB 24 1530
-check in-18-KB 18 2790
-check gouraud-in-26-KB 26 2270
-check both-sides-in-36-KB 36 5250
+check in-24-KB 24 1459
+check in-18-KB 18 2713
+check gouraud-in-26-KB 26 2197
+check both-sides-in-36-KB 36 5200

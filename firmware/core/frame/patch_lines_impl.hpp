@@ -103,7 +103,8 @@ struct PatchLines<kTaps, kPaint>::Planes {
 
  private:
   const DepthReach& reach_of(FaceId face, PlaneCache& cache) const {
-    return cache.reach(face, [this, face](DepthReach& to) { lines.grids_.reach(face, to); });
+    // Most cells are one face, whose number is even.
+    return cache.reach_at(face / 2u, face, [this, face](DepthReach& to) { lines.grids_.reach(face, to); });
   }
   // Likewise by where they run along the line, which is linear: who is ahead at both ends of the span is ahead between
   // them.

@@ -52,7 +52,12 @@ class PlaneCache {
   // How far it reaches; make(DepthReach&) where that is not here. Likewise.
   template <typename Make>
   const DepthReach& reach(FaceId face, const Make& make) {
-    DepthReach& entry = reaches_[place(face) & reach_mask_];
+    return reach_at(place(face), face, make);
+  }
+  // The same by another number that gives it its place, of faces that are numbered in another way.
+  template <typename Make>
+  const DepthReach& reach_at(std::uint32_t place, FaceId face, const Make& make) {
+    DepthReach& entry = reaches_[place & reach_mask_];
     if (entry.face != face) [[unlikely]] {
       make(entry);
       entry.face = face;
