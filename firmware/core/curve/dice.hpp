@@ -47,6 +47,8 @@ class PatchDicer {
   // Facets along u and along v: at least 1, at most kMaxSteps.
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return rows_; }
+  // Whether all coordinates are below 2^29, so that differences fit; so they are but where a patch reaches far away.
+  bool near() const { return inner_.along.is_short; }
 
   // The next of the rows() + 1 rows. All its vertices lie in the hull of its control points, left and right.
   void next_row(GridRow& row);
@@ -88,8 +90,14 @@ class PatchDicer {
     CurveScale along, across;
   } inner_;  // of rows and columns that are no sides
   std::uint32_t row_ = 0;
-  // The row's control points and ends between the first and the last row, where 32 bits are enough for them.
-  PointWalk<std::int32_t> control_[4], end_[2];
+  // The row's control points and ends between the first and the last row, where 32 bits are enough for them; each is
+  // made where it is used, and not before.
+  union {
+    PointWalk<std::int32_t> control_[4];
+  };
+  union {
+    PointWalk<std::int32_t> end_[2];
+  };
 };
 
 // A facet of a patch: its corners in order, first along u; a triangle where a side has fewer steps than the grid.

@@ -10,44 +10,24 @@
 namespace spanline {
 namespace {
 
-using Vector = NormalRow::Vector;
+using Vector = ShortVector;
 
-constexpr int kDirectionBits = 14;  // of a tangent: products of two fit 29 bits
+constexpr int kDirectionBits = Vector::kBits;  // of a tangent
 
 Vector operator-(const Vector& a, const Vector& b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2]}}; }
 Vector operator-(const Vector& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
 Vector difference(const Position& a, const Position& b) { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
-bool is_zero(const Vector& a) { return (a.v[0] | a.v[1] | a.v[2]) == 0; }
-
-// All bits of the components' magnitudes; those of -2^n are n ones.
-std::uint32_t bits_of(const Vector& a) {
-  const auto bits = [](std::int32_t c) { return static_cast<std::uint32_t>(c ^ (c >> 31)); };
-  return bits(a.v[0]) | bits(a.v[1]) | bits(a.v[2]);
-}
-
-Vector shifted(const Vector& a, int down) { return {{a.v[0] >> down, a.v[1] >> down, a.v[2] >> down}}; }
-
 // Cuts vectors off to at most `bits` bits by a common exponent; they are never made longer.
 template <std::size_t N>
 void shorten(Vector (&vectors)[N], int bits) {
   std::uint32_t any = 0;
-  for (const Vector& a : vectors) any |= bits_of(a);
+  for (const Vector& a : vectors) any |= a.bits();
   const int down = static_cast<int>(std::bit_width(any)) - bits;
   if (down <= 0) return;
-  for (Vector& a : vectors) a = shifted(a, down);
+  for (Vector& a : vectors) a = a.shifted(down);
 }
 
-// To kDirectionBits bits at most. Shorter ones are exact as they are.
-[[gnu::always_inline]] inline Vector direction(const Vector& a) {
-  const int down = static_cast<int>(std::bit_width(bits_of(a))) - kDirectionBits;
-  return down <= 0 ? a : shifted(a, down);
-}
-
-// Of vectors of kDirectionBits bits.
-Vector product(const Vector& a, const Vector& b) {
-  return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2], a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
-}
-Vector cross(const Vector& a, const Vector& b) { return product(direction(a), direction(b)); }
+Vector cross(const Vector& a, const Vector& b) { return Vector::product(a.direction(), b.direction()); }
 
 // Bernstein's polynomials at at / of, times of^degree.
 struct Weights {
@@ -77,7 +57,7 @@ Vector blend(const V* const (&points)[N], const std::int32_t (&weights)[N]) {
 }
 
 [[gnu::always_inline]] inline Normal10 pack(const Vector& normal) {
-  const Vector n = direction(normal);  // its square is at most 3 * 2^28
+  const Vector n = normal.direction();  // its square is at most 3 * 2^28
   const InverseRoot inverse(static_cast<std::uint32_t>(n.v[0] * n.v[0] + n.v[1] * n.v[1] + n.v[2] * n.v[2]));
   const auto scale = static_cast<std::int32_t>(inverse.factor * 511 >> 9);  // at most 2^16
   const auto component = [&](int i) { return shift_round(n.v[i] * scale, 31 - 9 - inverse.up); };
@@ -119,13 +99,13 @@ Normal10 NormalRow::at(std::uint32_t column) const {
   const Vector u = blend({&along_[0], &along_[1], &along_[2]}, weights.quadratic);
   const Vector v = blend({&across_[0], &across_[1], &across_[2], &across_[3]}, weights.cubic);
   Vector normal = cross(u, v);
-  if (!is_zero(normal)) return pack(normal);
+  if (!normal.is_zero()) return pack(normal);
   // d/du d/dv: near a rim where the derivative along it vanishes, that is so much times the distance from the rim.
   const Vector turns[3] = {across_[1] - across_[0], across_[2] - across_[1], across_[3] - across_[2]};
   const Vector uv = blend({&turns[0], &turns[1], &turns[2]}, weights.quadratic);
   if (row_ == 0 || row_ == grid_.rows) normal = row_ == 0 ? cross(uv, v) : -cross(uv, v);
-  if (is_zero(normal) && (column == 0 || column == grid_.columns)) normal = column == 0 ? cross(u, uv) : -cross(u, uv);
-  return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
+  if (normal.is_zero() && (column == 0 || column == grid_.columns)) normal = column == 0 ? cross(u, uv) : -cross(u, uv);
+  return normal.is_zero() ? Normal10::pack(0, 0, 511) : pack(normal);
 }
 
 FacetNormals::FacetNormals(const ClipMatrix& matrix, bool mirrored) {
@@ -144,16 +124,14 @@ Normal10 FacetNormals::of(const ClipPoint& a, const ClipPoint& b, const ClipPoin
   const auto half = [](const ClipPoint& from, const ClipPoint& to) {
     return Vector{{(to.x >> 1) - (from.x >> 1), (to.y >> 1) - (from.y >> 1), (to.w >> 1) - (from.w >> 1)}};
   };
-  const Vector ac = half(a, c), bd = half(b, d);
-  const int down = static_cast<int>(std::bit_width(bits_of(ac) | bits_of(bd))) - kDirectionBits;
-  const Vector n = direction(down <= 0 ? product(ac, bd) : product(shifted(ac, down), shifted(bd, down)));
+  const Vector n = Vector::spanned(half(a, c), half(b, d));
   const std::uint32_t xy = pack_halves(n.v[0], n.v[1]);
   // |n| and the matrix are below 2^14 and 2^14 a component.
   const auto back = [&](int i) {
     return static_cast<std::int32_t>(add_products(xy_[i], xy, static_cast<std::uint32_t>(w_[i] * n.v[2])));
   };
   const Vector normal{{back(0), back(1), back(2)}};
-  return is_zero(normal) ? Normal10::pack(0, 0, 511) : pack(normal);
+  return normal.is_zero() ? Normal10::pack(0, 0, 511) : pack(normal);
 }
 
 }  // namespace spanline

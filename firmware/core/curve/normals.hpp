@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "core/curve/short_vector.hpp"
 #include "core/geom/clip_matrix.hpp"
 
 namespace spanline {
@@ -47,27 +48,32 @@ class NormalRow {
   // patch has no normal even so.
   Normal10 at(std::uint32_t column) const;
 
-  struct Vector {
-    std::int32_t v[3];
-  };
-
  private:
   std::uint32_t row_;
   NormalGrid grid_;
-  Vector along_[3];   // control points of the derivative along u, a quadratic
-  Vector across_[4];  // of the derivative along v, a cubic in u
+  ShortVector along_[3];   // control points of the derivative along u, a quadratic
+  ShortVector across_[4];  // of the derivative along v, a cubic in u
 };
 
 // Normals of the facets that a patch is diced into, from their corners in clip space: turned by a linear map, a product
 // of vectors is so by the map's cofactors, and turned back by its transpose.
 class FacetNormals {
  public:
+  FacetNormals() = default;
   // Of meshes that `matrix` takes to clip space; `mirrored`: by a transform that is (is_mirrored).
   FacetNormals(const ClipMatrix& matrix, bool mirrored);
 
   // Of the facet with these corners, in order, what both its diagonals stand upright on: on the side that sees them
   // turn counter-clockwise in the mesh. (0, 0, 511) where they span nothing.
   Normal10 of(const ClipPoint& a, const ClipPoint& b, const ClipPoint& c, const ClipPoint& d) const;
+
+  // A row of the matrix, 15 bits a component, with the sign that makes what corners span show its front.
+  ShortVector row(int i) const {
+    const auto in = [&](int column) {
+      return i == 0 ? low_half(xy_[column]) : i == 1 ? high_half(xy_[column]) : w_[column];
+    };
+    return {{in(0), in(1), in(2)}};
+  }
 
  private:
   // Columns of the matrix, 15 bits a component: x and y in one word, and w.

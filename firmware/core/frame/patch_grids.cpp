@@ -2,7 +2,6 @@
 
 #include <new>
 
-#include "core/shade/flat_light.hpp"
 #include "core/vsg/grid_start.hpp"
 
 namespace spanline {
@@ -22,12 +21,6 @@ struct PatchGrids::Row {
   ClipPoint* vertices;
 };
 
-// What colours a patch's cells where it is flat.
-struct PatchGrids::Light {
-  FacetNormals normals;
-  FlatLight flat;
-};
-
 void PatchGrids::begin(std::int32_t top, std::int32_t bottom) {
   top_ = top;
   bottom_ = bottom;
@@ -42,7 +35,7 @@ ClipPoint* PatchGrids::points_at(std::uint32_t first, std::uint32_t count) const
   return std::launder(reinterpret_cast<ClipPoint*>(&v_[first]));
 }
 
-bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
+bool PatchGrids::dice(const PatchJob& job, const FacetLight& facets, std::uint16_t face) {
   const std::uint16_t before = used_;
   Open grid{face};
   const std::uint32_t stride = job.columns() + 1, end = v_.capacity() + 1u;
@@ -50,8 +43,7 @@ bool PatchGrids::dice(const PatchJob& job, std::uint16_t face) {
   grid.points = stride + other;
   if (grid.points >= end) return false;
   Row rows[2] = {{{}, points_at(end - stride, stride)}, {{}, points_at(end - stride - other, stride)}};
-  const Light light{FacetNormals(job.reader.matrix(), job.reader.mirrored()),
-                    {*job.look.lights, *job.look.material, job.look.format}};
+  const Light light(facets, *job.look.material, job.look.format, job.dicer->near());
   ScreenBounds bounds_above;
   for (std::uint32_t i = 0; i <= job.rows(); ++i) {
     const Row& above = rows[(i + 1) % 2];
@@ -94,7 +86,7 @@ bool PatchGrids::step_off(const PatchJob& job, const Row& row, const Open& grid,
   const GridVertex::InRow in_row(stride, to == 0);
   const ClipPoint* in = row.vertices;
   for (GridVertex *out = &v_[at], *const end = out + stride; out != end; ++out) {
-    GridVertex::put(out, projection(*in++), in_row);
+    GridVertex::put(out, projection, *in++, in_row);
   }
   return true;
 }
@@ -126,11 +118,20 @@ void PatchGrids::strip(const PatchJob& job, const Light& light, Open& grid, cons
 
 // Colours the cells of a strip that are seen.
 void PatchGrids::color(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above, const Row& below) {
+  if (job.look.two_sided || !light.quick()) return color_any(job, light, cells, above, below);
+  const ClipPoint *a = above.vertices, *d = below.vertices;
+  for (std::uint32_t i = job.columns(); i != 0; --i, ++cells, ++a, ++d) {
+    if (cells->parts != CellParts::kNone) cells->color = light.payload<true>(a[0], a[1], d[1], d[0], false);
+  }
+}
+
+void PatchGrids::color_any(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above,
+                           const Row& below) {
   const ClipPoint *a = above.vertices, *d = below.vertices;
   for (std::uint32_t i = job.columns(); i != 0; --i, ++cells, ++a, ++d) {
     if (cells->parts == CellParts::kNone) continue;
     const bool flip = job.look.two_sided && !shows_front(job, *cells);
-    cells->color = light.flat.payload(light.normals.of(a[0], a[1], d[1], d[0]), flip);
+    cells->color = light.payload(a[0], a[1], d[1], d[0], flip);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/pool.hpp"
 #include "core/frame/patch_job.hpp"
+#include "core/shade/facet_light.hpp"
 #include "core/vsg/active_edge.hpp"
 #include "core/vsg/depth.hpp"
 #include "core/vsg/plane_cache.hpp"
@@ -30,8 +31,9 @@ struct GridVertex {
     InRow(std::uint32_t of, bool first) : word(of << 24 | (first ? 1u << 31 : 0u)) {}
   };
   // By words, which compilers do not make of bit fields.
-  static void put(GridVertex* to, const ScreenPoint& p, const InRow& row) {
-    const std::uint32_t words[3] = {0, PackedXY(p.at).word, p.depth | row.word};
+  static void put(GridVertex* to, const Projection& projection, const ClipPoint& p, const InRow& row) {
+    std::uint32_t words[3]{};
+    projection.put(p, row.word, words[1], words[2]);
     auto* const at = static_cast<char*>(__builtin_assume_aligned(to, alignof(GridVertex)));
     for (int i = 0; i < 3; ++i) __builtin_memcpy(at + 4 * i, &words[i], 4);
   }
@@ -74,7 +76,7 @@ class PatchGrids {
   // Dices the reader's current face, a patch inside the view, and keeps the cells that face the viewer, or all where it
   // is two-sided, that may cover something of the lines. False where there is no room for all of them; then none is
   // kept.
-  bool dice(const PatchJob& job, std::uint16_t face);
+  bool dice(const PatchJob& job, const FacetLight& light, std::uint16_t face);
   // Whether dice() is for it: otherwise some control point lies outside of the view, or at its very border.
   static bool takes(const PatchJob& job) { return job.well_inside; }
   DiceView view(const Projection& projection) const { return {projection, screen_, tolerance_}; }
@@ -118,14 +120,15 @@ class PatchGrids {
 
  private:
   struct Open;
-
   struct Row;
-  struct Light;
+  using Light = FacetLight::Of;
 
   ClipPoint* points_at(std::uint32_t first, std::uint32_t count) const;
   void strip(const PatchJob& job, const Light& light, Open& grid, const Row& above, const Row& below);
   bool step_off(const PatchJob& job, const Row& row, const Open& grid, std::uint32_t to);
   static void color(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above, const Row& below);
+  [[gnu::noinline]] static void color_any(const PatchJob& job, const Light& light, GridVertex* cells, const Row& above,
+                                          const Row& below);
   static bool note_parts(const PatchJob& job, GridVertex* above, const GridVertex* below);
   void close(const PatchJob& job, Open& grid);
   void light(const PatchJob& job, std::uint32_t header, std::uint32_t row);

@@ -7,9 +7,15 @@ namespace {
 // Turns a patch's grid by a quarter; its front stays the front.
 template <typename T>
 void turn(T (&at)[4][4]) {
-  T before[4][4];
-  for (int i = 0; i < 16; ++i) before[i / 4][i % 4] = at[i / 4][i % 4];
-  for (int i = 0; i < 16; ++i) at[i / 4][i % 4] = before[i % 4][3 - i / 4];
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      const T first = at[i][j];
+      at[i][j] = at[j][3 - i];
+      at[j][3 - i] = at[3 - i][3 - j];
+      at[3 - i][3 - j] = at[3 - j][i];
+      at[3 - j][i] = first;
+    }
+  }
 }
 
 std::int32_t distance(std::int32_t a, std::int32_t b) { return a < b ? b - a : a - b; }

@@ -39,7 +39,7 @@ class PatchLines {
   Status check() const;
   Status plan(std::uint16_t top);
   Status dice_all();
-  Status dice(std::uint16_t face, const LightRig& rig);
+  Status dice(std::uint16_t face, const LightRig& rig, const FacetLight& light);
   bool start_edges(std::uint16_t line, std::uint16_t vertex);
   bool run_again(ActiveEdge& edge, std::int32_t line);
 

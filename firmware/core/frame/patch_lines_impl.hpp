@@ -189,6 +189,7 @@ Status PatchLines<kTaps, kPaint>::plan(std::uint16_t top) {
 template <bool kTaps, Paint kPaint>
 Status PatchLines<kTaps, kPaint>::dice_all() {
   LightRig rig;
+  FacetLight light;
   std::uint32_t lit = UINT32_MAX;
   for (std::uint16_t face = 0; face < scene_.face_count(); ++face) {
     reader_.select(face);
@@ -199,14 +200,15 @@ Status PatchLines<kTaps, kPaint>::dice_all() {
     if (lit != reader_.instance_index()) {
       lit = reader_.instance_index();
       rig = LightRig(scene_.scene(), reader_.instance().transform);
+      light = FacetLight(rig, reader_.matrix(), reader_.mirrored());
     }
-    if (const Status status = dice(face, rig); !status.ok()) return status;
+    if (const Status status = dice(face, rig, light); !status.ok()) return status;
   }
   return {};
 }
 
 template <bool kTaps, Paint kPaint>
-Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) {
+Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig, const FacetLight& light) {
   const bool two_sided = (reader_.instance().flags & InstanceRecord::kTwoSided) != 0;
   if (reader_.mirrored() && !two_sided)
     return {Code::bad_record, "InstanceRecord", "transform (mirrored)", reader_.instance_index()};
@@ -221,7 +223,7 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig) 
     }
     PatchDicer dicer = job.make_dicer(grids_.view(reader_.projection()));
     job.dicer = &dicer;
-    if (grids_.dice(job, face)) return {};
+    if (grids_.dice(job, light, face)) return {};
     const std::int32_t lines = grids_.bottom() - top_;
     if (lines == 1) {
       const std::uint32_t all = grids_.capacity();

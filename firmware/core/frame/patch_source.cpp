@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "core/geom/clip.hpp"
-#include "core/shade/pixel.hpp"
+#include "core/shade/facet_light.hpp"
 
 namespace spanline {
 
@@ -272,15 +272,15 @@ void PatchSource::take_corners(const PatchJob& job, const Row& row, std::uint32_
 // Lights the facets from `first` on, of the strip between the rows; their corners are stepped to again.
 void PatchSource::colour(const PatchJob& job, const Row& above, const Row& below, std::uint16_t first) {
   if (first > count_) return;
-  const FacetNormals normals(job.reader.matrix(), job.reader.mirrored());
+  const FacetLight light(*job.look.lights, job.reader.matrix(), job.reader.mirrored());
+  const FacetLight::Of of(light, *job.look.material, job.look.format, job.dicer->near());
   for (std::uint32_t i = first; i <= count_; ++i) {
     DicedFacet& facet = p_.facets[i];
     const std::uint32_t column = facet.part / 2u % kMaxSteps;
     const auto vertex = [&](const Row& row, std::uint32_t at) { return job.dicer->vertex(row.grid, at); };
-    const Normal10 normal =
-        normals.of(vertex(above, column), vertex(above, column + 1), vertex(below, column + 1), vertex(below, column));
     const bool flip = job.look.two_sided && !shows_front(facet, job.reader.mirrored());
-    facet.payload = flat_payload(job.look.format, job.look.lights->shade(normal, *job.look.material, flip));
+    facet.payload = of.payload(vertex(above, column), vertex(above, column + 1), vertex(below, column + 1),
+                               vertex(below, column), flip);
   }
 }
 

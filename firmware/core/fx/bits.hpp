@@ -39,6 +39,17 @@ constexpr std::uint32_t pack_halves(std::int32_t low, std::int32_t high) {
 constexpr std::int32_t low_half(std::uint32_t pair) { return static_cast<std::int16_t>(pair); }
 constexpr std::int32_t high_half(std::uint32_t pair) { return static_cast<std::int32_t>(pair) >> 16; }
 
+// pack_halves(low >> 15, high >> 15).
+inline std::uint32_t pack_halves_of_q15(std::int32_t low, std::int32_t high) {
+#if defined(__ARM_FEATURE_SIMD32)
+  std::uint32_t out;
+  asm("pkhtb %0, %1, %2, asr #15" : "=r"(out) : "r"(high << 1), "r"(low));
+  return out;
+#else
+  return pack_halves(low >> 15, high >> 15);
+#endif
+}
+
 // Differences of the halves, each modulo 2^16.
 constexpr std::uint32_t subtract_halves(std::uint32_t a, std::uint32_t b) {
 #if defined(__ARM_FEATURE_SIMD32)
@@ -141,13 +152,16 @@ constexpr std::int32_t saturate32(std::int64_t value) {
   return static_cast<std::int32_t>(value);
 }
 
-// value in 0 … 32767.
-constexpr std::uint32_t saturate15(std::int32_t value) {
+// value in 0 … 2^kBits - 1.
+template <int kBits>
+constexpr std::uint32_t saturate(std::int32_t value) {
 #if defined(__ARM_FEATURE_SAT)
-  if (!std::is_constant_evaluated()) return static_cast<std::uint32_t>(__builtin_arm_usat(value, 15));
+  if (!std::is_constant_evaluated()) return static_cast<std::uint32_t>(__builtin_arm_usat(value, kBits));
 #endif
-  return value < 0 ? 0u : value > 32767 ? 32767u : static_cast<std::uint32_t>(value);
+  constexpr std::int32_t kMost = (1 << kBits) - 1;
+  return static_cast<std::uint32_t>(value < 0 ? 0 : value > kMost ? kMost : value);
 }
+constexpr std::uint32_t saturate15(std::int32_t value) { return saturate<15>(value); }
 
 // Quotient towards minus infinity; divisor > 0.
 template <typename T>

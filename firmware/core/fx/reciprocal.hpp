@@ -29,8 +29,10 @@ static_assert(kReciprocalSeeds[0] == 1022 && kReciprocalSeeds[255] == 513);
 // projected vertex is the same everywhere.
 //
 // With the seed s and e = 1 - s * w, 1 / w = s * (1 + e + e^2) * (1 + O(e^3)), and |e| < 2^-8.7.
+// kTable: from the table wherever it is, which is three instructions less; else not where the core divides.
+template <bool kTable = !kDivides>
 constexpr std::uint32_t reciprocal_normalised(std::uint32_t w) {
-  const std::uint32_t seed = kDivides ? detail::divided_seed(w) : detail::kReciprocalSeeds[(w >> 22) & 255];
+  const std::uint32_t seed = kTable ? detail::kReciprocalSeeds[(w >> 22) & 255] : detail::divided_seed(w);
   const auto error = static_cast<std::int32_t>(0u - (w >> 1) * seed);  // 1 is 2^39, which 32 bits leave out
   const std::int32_t half = error >> 15;
   const std::int32_t step = (error + (half * half >> 9)) >> 10;

@@ -62,6 +62,7 @@ void FacetReader::enter_instance(std::uint16_t instance, std::uint16_t first_fac
   group_ = 0;
   if (on_screen()) return;
   matrix_ = compose(*camera_, this->instance().transform, mesh());
+  fits_ = matrix_.fits();
   mirrored_ = is_mirrored(this->instance().transform);
 }
 
@@ -71,7 +72,7 @@ void FacetReader::control_points(ClipPoint (&out)[4][4]) const {
   const auto take = [&](const auto& to_clip) {
     for (ClipPoint* p = &out[0][0]; p != &out[0][0] + 16; ++p) *p = to_clip(positions[*corner++]);
   };
-  if (matrix_.fits()) {
+  if (fits_) {
     take(ClipRows(matrix_));
   } else {
     take(matrix_);

@@ -114,6 +114,7 @@ class FacetReader {
   PoolRef<ScreenPoint> cache_;
   std::uint32_t cached_ = 0;
   ClipMatrix matrix_{};
+  bool fits_ = false;      // matrix_.fits()
   bool mirrored_ = false;  // is_mirrored()
   std::uint16_t instance_ = 0;
   std::uint16_t first_face_ = 0;    // of the current instance, over the scene

@@ -100,6 +100,15 @@ struct Projection {
     out.outcode = 0;
     return out;
   }
+  // The same by words, `rest` in the bits above the depth: for many, which a table of 512 bytes is worth while for.
+  void put(const ClipPoint& p, std::uint32_t rest, std::uint32_t& at, std::uint32_t& depth) const {
+    Normaliser normaliser;
+    const int up = normaliser.up(static_cast<std::uint32_t>(p.w));
+    const Inverse inverse(
+        up, static_cast<std::int32_t>(reciprocal_normalised<true>(static_cast<std::uint32_t>(p.w) << up)));
+    at = pack_halves_of_q15(placed(centre_x, p.x, inverse), placed(centre_y, p.y, inverse));
+    depth = depth_from(inverse) | rest;
+  }
   ScreenXY place(const ClipPoint& p, Normaliser& normaliser) const { return place(p, Inverse(p.w, normaliser)); }
 
   // Projects a point that rounding may have left a little outside of the planes.
@@ -130,23 +139,22 @@ struct Projection {
     Inverse(std::int32_t w, Normaliser& normaliser)
         : up(normaliser.up(static_cast<std::uint32_t>(w))),
           of(static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(w) << up))) {}
+    Inverse(int bits_up, std::int32_t inverse) : up(bits_up), of(inverse) {}
     int up;
     std::int32_t of;
   };
-  ScreenXY place(const ClipPoint& p, const Inverse& inverse) const {
-    // To v / w * 2^14, which fifteen bits follow: 2^14 units of 28.4 are kGuardPx.
+  // To v / w * 2^14, which fifteen bits follow: 2^14 units of 28.4 are kGuardPx.
+  static std::int32_t placed(std::int32_t centre, std::int32_t v, const Inverse& inverse) {
     static_assert(kGuardPx * kSubpixels == 1 << 14);
     static_assert((kMaxExtent * std::int64_t{kSubpixels / 2} + (1 << 14)) * (1 << 15) + (1 << 14) <= INT32_MAX);
-    const auto placed = [&](std::int32_t centre, std::int32_t v) {
-      return add_high(v * (1 << inverse.up), inverse.of, centre * (1 << 15) + (1 << 14));
-    };
-    const std::int32_t x = placed(centre_x, p.x), y = placed(centre_y, p.y);
+    return add_high(v * (1 << inverse.up), inverse.of, centre * (1 << 15) + (1 << 14));
+  }
+  ScreenXY place(const ClipPoint& p, const Inverse& inverse) const {
+    const std::int32_t x = placed(centre_x, p.x, inverse), y = placed(centre_y, p.y, inverse);
     return PackedXY(pack_halves(x >> 15, y >> 15)).unpacked();
   }
   std::uint32_t depth_from(const Inverse& inverse) const {
-    const std::int32_t depth = mul_high(near_w << inverse.up, inverse.of) >> (29 - kDepthBits);
-    constexpr std::int32_t kNearest = (1 << kDepthBits) - 1;
-    return static_cast<std::uint32_t>(depth < kNearest ? depth : kNearest);
+    return saturate<kDepthBits>(mul_high(near_w << inverse.up, inverse.of) >> (29 - kDepthBits));
   }
 };
 
