@@ -35,7 +35,7 @@ Facets facets_of(const SceneView& scene, const CameraRecord& camera, const Scree
   std::vector<ScreenPoint> vertices(32768), sink(1);
   PatchSource patches({{facets.data(), 32767}, {vertices.data(), 32767}, {}, 8, {}}, screen);
   FacetReader reader(scene, camera, screen, {sink.data(), 0});
-  const LightRig lights{};
+  const LightRig lights(scene.scene(), Transform::identity());
   const MaterialRecord unlit{{}, MaterialRecord::kUnlit};
   Facets out;
   for (std::uint16_t face = 0; face < scene.face_count(); ++face) {
