@@ -30,8 +30,8 @@ inline constexpr CurvedPicture kCurves[] = {
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
 };
 inline constexpr CurvedPicture kPatches[] = {
-    {"patches", &patches::scene, &patches::camera, 0xfae6b02e},
-    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x724c4b40},
+    {"patches", &patches::scene, &patches::camera, 0xd6a7d670},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x5e0d2d1e},
 };
 inline constexpr CurvedPicture kSmoothPatches[] = {
     {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0x8a85ebd1}};
