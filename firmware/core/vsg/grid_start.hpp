@@ -23,8 +23,10 @@ struct CellCovers {
     lower = only_if((parts & kLower) / kLower, cover + parts / kApart);
   }
 
-  // Of a cell that is not apart, which covers as a whole or not at all.
-  static CoverKey whole(std::uint32_t vertex, std::uint32_t parts) { return only_if(parts & kUpper, cover_of(vertex)); }
+  // The upper one alone; of a cell that is not apart, which covers as a whole or not at all.
+  static CoverKey upper_of(std::uint32_t vertex, std::uint32_t parts) {
+    return only_if(parts & kUpper, cover_of(vertex));
+  }
 
  private:
   static CoverKey cover_of(std::uint32_t vertex) { return (CoverKey{1} << kCoverCount) + 2 * vertex; }
@@ -93,8 +95,8 @@ struct GridList {
 };
 
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 2
-// GridStart::start_plain() in assembly up to the first vertex beside a cell whose triangles are apart, or for whose
-// edges there may be no room. True where it came to the end.
+// GridStart::start_plain() in assembly up to the first vertex that is a corner of both triangles of a cell where they
+// are apart, or for whose edges there may be no room. True where it came to the end.
 bool start_cells(GridList& list) asm("spanline_start_cells");
 #endif
 
@@ -181,16 +183,17 @@ class GridStart {
     const Vertex* const at = &vertices_[vertex];
     const std::uint32_t stride = at->stride;
     const Vertex *const up = at - stride, *const down = at + stride;
-    // The cells around the vertex; beyond the grid's rim they have no parts.
-    const CoverKey below_right = CellCovers::whole(vertex, at->parts);
-    const CoverKey below_left = CellCovers::whole(vertex - 1, at[-1].parts);
+    // The cells around the vertex; beyond the grid's rim they have no parts. Two of them have it in both their
+    // triangles, of the other two only one is beside its edges.
+    const CoverKey below_right = CellCovers::upper_of(vertex, at->parts);
+    const CoverKey below_left = CellCovers::upper_of(vertex - 1, at[-1].parts);
     CoverKey above_right = 0, above_left = 0;
-    std::uint32_t parts = std::uint32_t{at->parts} | at[-1].parts;
+    std::uint32_t parts = at->parts;
     bool rises = kBothSides;  // the grid's row above lies below the line on the screen, as far as is asked
     if (at->first_row == 0) {
-      parts |= std::uint32_t{up->parts} | up[-1].parts;
-      above_right = CellCovers::whole(vertex - stride, up->parts);
-      above_left = CellCovers::whole(vertex - stride - 1, up[-1].parts);
+      parts |= up[-1].parts;
+      above_right = CellCovers(vertex - stride, up->parts).lower;
+      above_left = CellCovers::upper_of(vertex - stride - 1, up[-1].parts);
       if (!kBothSides) rises = PackedXY(up->at).y() > line_ * kSubpixels + kSubpixels / 2;
     }
     if ((parts & CellCovers::kApart) != 0) [[unlikely]]

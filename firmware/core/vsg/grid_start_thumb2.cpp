@@ -8,7 +8,7 @@ namespace spanline {
 
 static_assert(offsetof(GridList, vertices) == 0 && offsetof(GridList, key) == 4 && offsetof(GridList, line) == 8);
 static_assert(offsetof(GridList, out) == 12 && offsetof(GridList, last) == 16);
-static_assert(CellCovers::kUpper == 1 && CellCovers::kApart == 4 && kCoverCount == 20);
+static_assert(CellCovers::kUpper == 1 && CellCovers::kLower == 2 && CellCovers::kApart == 4 && kCoverCount == 20);
 
 asm(SPANLINE_EDGE_SLOPE R"(
     .syntax unified
@@ -101,9 +101,7 @@ spanline_start_cells:
     ldr r6, [r0, #-12]
     ldr r5, [lr]
     ldr r4, [lr, #-12]
-    orr r10, r7, r6
-    orr r10, r10, r5
-    orrs r10, r10, r4
+    orrs r10, r7, r4                @ it is a corner of both triangles of these two
     bmi 69f
     lsls r3, r3, #1
     orr r3, r3, #1 << 20
@@ -113,8 +111,9 @@ spanline_start_cells:
     sbfx r6, r6, #29, #1
     subs r3, #2
     ands r6, r3
-    sbfx r9, r5, #29, #1
-    and r9, r9, r10
+    sbfx r9, r5, #30, #1            @ the lower one
+    add r5, r10, r5, lsr #31
+    and r9, r9, r5
     sbfx r4, r4, #29, #1
     sub r10, #2
     and r4, r4, r10
