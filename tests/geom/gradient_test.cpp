@@ -54,7 +54,7 @@ void stay_close(std::uint64_t seed, long double coarse) {
   for (int round = 0; round < oracle::rounds(200000); ++round) {
     const Triangle t = random_triangle(random, kMostRise);
     Gradient gradient;
-    if (!small_gradient<kBits, 1 << kMostRise>(t.at, t.rise[0], t.rise[1], gradient)) continue;
+    if (!small_gradient<1 << kMostRise>(t.at, t.rise[0], t.rise[1], kBits, gradient)) continue;
     ++made;
     ASSERT_LT(std::abs(gradient.right), kSteepest);
     ASSERT_LT(std::abs(gradient.down), kSteepest);
@@ -71,10 +71,10 @@ TEST(Gradient, OfBrightnessStaysCloseToTheCorners) { stay_close<16, 8>(2, 0); }
 
 TEST(Gradient, IsRefusedForLargeSteepAndFlatTriangles) {
   Gradient g;
-  EXPECT_FALSE((small_gradient<5, 1 << 24>({{0, 0}, {4096, 0}, {0, 16}}, 1, 1, g)));
-  EXPECT_FALSE((small_gradient<5, 1 << 24>({{0, 0}, {16, 16}, {32, 32}}, 1, 1, g)));
-  EXPECT_FALSE((small_gradient<5, 1 << 24>({{0, 0}, {1, 0}, {0, 1}}, 1 << 23, 1, g)));
-  ASSERT_TRUE((small_gradient<5, 1 << 24>({{0, 0}, {-4096, 0}, {0, -4096}}, 256, -512, g)));
+  EXPECT_FALSE((small_gradient<1 << 24>({{0, 0}, {4096, 0}, {0, 16}}, 1, 1, 5, g)));
+  EXPECT_FALSE((small_gradient<1 << 24>({{0, 0}, {16, 16}, {32, 32}}, 1, 1, 5, g)));
+  EXPECT_FALSE((small_gradient<1 << 24>({{0, 0}, {1, 0}, {0, 1}}, 1 << 23, 1, 5, g)));
+  ASSERT_TRUE((small_gradient<1 << 24>({{0, 0}, {-4096, 0}, {0, -4096}}, 256, -512, 5, g)));
   EXPECT_EQ(g.right, -32);
   EXPECT_EQ(g.down, 64);
 }

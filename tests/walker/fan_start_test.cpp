@@ -89,7 +89,7 @@ void compare(const Word* words) {
       return start;
     };
     const std::uint16_t first = make_list(random, line);
-    const int room = random.percent(70) ? kMostEdges : random.below(kMostEdges);
+    const int room = random.percent(40) ? kMostEdges : random.below(kMostEdges / 2);
     FanStart at_fast = start_in(fast, first, room), at_slow = start_in(slow, first, room);
     start_fans(at_fast, words);
     start_fans_plain<Word>(at_slow);

@@ -61,6 +61,11 @@ MeshScene plain_scene(std::uint64_t seed) {
   return scene;
 }
 
+// All of its faces.
+void make_smooth(MeshScene& scene) {
+  for (MaterialRecord& material : scene.materials) material.shading = MaterialRecord::kGouraud;
+}
+
 SceneRecord record_of(MeshScene& scene) {
   SceneRecord record = scene.record();
   record.background.bottom = record.background.top;
@@ -72,6 +77,7 @@ TEST(Plain, FramesDrawWhatEveryFrameDraws) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     MeshScene scene = plain_scene(seed);
     expect_as_every_frame<Paint::flat_words>(record_of(scene), scene.camera, scene.screen);
+    make_smooth(scene);
     expect_as_every_frame<Paint::smooth_words>(record_of(scene), scene.camera, scene.screen);
   }
 }
@@ -143,6 +149,12 @@ TEST(Plain, OtherScenesAreRefusedByWhatTheyAreNot) {
   scene.materials[0].transmission = {0, 8, 0};
   EXPECT_EQ(refusal(record_of(scene), scene), "materials");
   scene.materials[0].transmission = {};
+  const std::vector<MaterialRecord> materials = scene.materials;
+  make_smooth(scene);
+  EXPECT_EQ(refusal<Paint::smooth_words>(record_of(scene), scene), "");
+  for (MaterialRecord& material : scene.materials) material.shading = MaterialRecord::kFlat;
+  EXPECT_EQ(refusal<Paint::smooth_words>(record_of(scene), scene), "materials");
+  scene.materials = materials;
   scene.instances[0].flags = InstanceRecord::kTwoSided;
   EXPECT_EQ(refusal(record_of(scene), scene), "instances");
   scene.instances[0].flags = 0;

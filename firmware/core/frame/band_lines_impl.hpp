@@ -27,17 +27,9 @@ struct BandLines<kTaps, kPaint, kPlain>::Sink {
       return true;
     });
   }
-  void learn(FaceId) const {}  // the walks do
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) report_alone(left, right, face);
     paint(left, right, face);
-  }
-  void rest(std::int32_t left) const {
-    if (!kTaps && mesh.paint() != Paint::any) {
-      fill_exactly(painter.out(), left, mesh.screen_.width, painter.background());
-    } else if (left < mesh.screen_.width) {
-      one(left, mesh.screen_.width, 0);
-    }
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
@@ -138,7 +130,8 @@ Status BandLines<kTaps, kPaint, kPlain>::check() const {
   if (scene_.face_count() > faces) return pool_exhausted("facets", 0, scene_.face_count(), faces);
   if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
   if constexpr (kPlain) {
-    return scene_.not_plain() == nullptr ? Status{} : bad_argument("plain", scene_.not_plain());
+    const char* const other = scene_.not_plain(smooth());
+    return other == nullptr ? Status{} : bad_argument("plain", other);
   } else {
     if (smooth()) {
       if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
@@ -168,7 +161,7 @@ void BandLines<kTaps, kPaint, kPlain>::begin_lines(std::uint16_t top) {
     if (smooth()) {
       looks_.cache.clear();
       looks_.chains.clear();
-      looks_.brush = BandBrush(looks_.chains, learn_look<Looks>, this);
+      looks_.brush = BandBrush(looks_.chains.looks(), {looks_.chains.heads()}, learn_look<Looks>, this);
       walker_.paint_with(nullptr, &looks_.brush);
     }
   }
@@ -345,7 +338,7 @@ void BandLines<kTaps, kPaint, kPlain>::turn_to(FaceId face) {
   const std::uint16_t number = material_of(points_.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
   const Lights& rig = lights();
-  const bool smooth_ones = smooth() && material.shading == MaterialRecord::kGouraud;
+  const bool smooth_ones = smooth() && (kPlain || material.shading == MaterialRecord::kGouraud);
   const bool quick = smooth_ones ? rig.single()
                                  : material.shading != MaterialRecord::kUnlit && rig.quick() &&
                                        !mesh.face_normals.empty() && (kPlain || screen_.format == PixelFormat::rgb565);
@@ -410,7 +403,7 @@ template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename AnyLooks>
 void BandLines<kTaps, kPaint, kPlain>::make_look(AnyLooks& looks, FaceId face, FaceLook& look) {
   bring_to_hand(face);
-  if (at_hand_.look->shading != MaterialRecord::kGouraud) {
+  if (!kPlain && at_hand_.look->shading != MaterialRecord::kGouraud) {
     look = FaceLook::flat(flat_color(face));
     return;
   }

@@ -63,9 +63,9 @@ struct Budget {
   // With Walker::edges, meshes and RGB565: that scenes are plain, as most are, which takes 2 KB less code. They have
   // one light, neither black nor with a hue nor together with the ambient light above 256 (Q8.8), which has none
   // either; a background of one colour; no curves; meshes that are turned and scaled alike in all directions and not
-  // mirrored, each with a normal a face, or a vertex where gouraud. Any other is refused: bad_argument, "plain" and
-  // what is not. Transforms may change from frame to frame; lights, materials and flags are looked at where the
-  // SceneView is made.
+  // mirrored, each with a normal a face, or a vertex where gouraud, and then no other materials. Any other is refused:
+  // bad_argument, "plain" and what is not. Transforms may change from frame to frame; lights, materials and flags are
+  // looked at where the SceneView is made.
   bool plain = false;
   ScanPolicy scan_out = ScanPolicy::full;  // ScanOutMemory: extents take 4 bytes a line, tiles 4 more for each tile
 };

@@ -6,7 +6,7 @@ namespace spanline {
 
 [[gnu::cold]] void DepthRows::begin(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen,
                                     std::int32_t farthest) {
-  cursor_ = InstanceCursor(scene);
+  cursor_.begin(scene);
   camera_ = &camera;
   screen_ = screen;
   projection_ = Projection(camera, screen);

@@ -177,14 +177,15 @@ class MeshLines {
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   PixelFormat format() const { return kPaint == Paint::any ? screen_.format : PixelFormat::rgb565; }
   constexpr bool smooth() const { return kPaint == Paint::any ? smooth_.on() : kPaint == Paint::smooth_words; }
+  static void learn_look(void* self, FaceId face);
   void make_look(FaceId face, FaceLook& look);
   bool turn_to(FaceId face, FaceLook& flat);
   using Lights = std::conditional_t<kPlain, PlainLight, LightRig>;
   const Lights& lights(const InstanceCursor& at) {
     return lights_.of(scene_.scene(), at.index(), at.instance().transform);
   }
-  const std::uint16_t* colors(std::uint16_t material) {
-    return smooth_.template colors<kPlain>(material, scene_.scene());
+  [[gnu::noinline]] void dip(std::uint16_t material) {
+    brush_.dip(material, smooth_.template colors<kPlain>(material, scene_.scene()));
   }
   std::uint16_t flat_color(const InstanceCursor& at, std::uint32_t mesh_face, const MaterialRecord& material);
   bool give_up(bool overlaps);

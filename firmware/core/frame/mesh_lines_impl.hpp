@@ -9,7 +9,7 @@
 
 namespace spanline {
 
-// Which paint it is, is asked where spans of several faces or looks stop the walk, so that only the walk itself is
+// Which paint it is, is asked where spans of several faces stop the walk, so that only the walk itself is
 // there three times.
 template <bool kTaps, Paint kPaint, bool kPlain>
 struct MeshLines<kTaps, kPaint, kPlain>::Sink {
@@ -33,24 +33,15 @@ struct MeshLines<kTaps, kPaint, kPlain>::Sink {
       return true;
     });
   }
-  // Sees to the look of a face, and that the brush knows it where it is smooth.
-  [[gnu::noinline]] void learn(FaceId face) const {
-    if (!mesh.smooth()) return;
-    const auto make = [this](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
-    const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);
-    if (look.smooth() && !mesh.brush_.knows(face, look)) {
-      mesh.brush_.dip(look.material, mesh.colors(look.material));
-    }
-  }
   void one(std::int32_t left, std::int32_t right, FaceId face) const {
     if constexpr (kTaps) report_alone(left, right, face);
     paint(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(right), face);
   }
-  void rest(std::int32_t left) const {
+  void blank() const {
     if (!kTaps && mesh.paint() != Paint::any) {
-      fill_exactly(painter.out(), left, mesh.screen_.width, painter.background());
-    } else if (left < mesh.screen_.width) {
-      one(left, mesh.screen_.width, 0);
+      fill(0, mesh.screen_.width, painter.background());
+    } else {
+      one(0, mesh.screen_.width, 0);
     }
   }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
@@ -62,8 +53,7 @@ struct MeshLines<kTaps, kPaint, kPlain>::Sink {
   // Not a pixel too far.
   [[gnu::noinline]] void paint(std::uint32_t left, std::uint32_t right, FaceId face) const {
     if (face == 0 || !mesh.smooth()) return fill(left, right, mesh.words_[face]);
-    learn(face);
-    const FaceLook& look = mesh.brush_.look(face);
+    const FaceLook& look = mesh.brush_.learned(face);
     if (!look.smooth()) return fill(left, right, look.color());
     if constexpr (kPaint == Paint::any) return painter.smooth(left, right, look.plane, mesh.brush_.colors());
     smooth_exactly(painter.out(), left, right, look.plane, line, mesh.brush_.colors());
@@ -139,7 +129,7 @@ template <bool kTaps, Paint kPaint, bool kPlain>
     smooth_faces_.count = 0;
     smooth_.clear();
     slots_[0] = 0;
-    brush_ = SmoothBrush(smooth_.looks(), {&slots_[0]});
+    brush_ = SmoothBrush(smooth_.looks(), {&slots_[0]}, learn_look, this);
   }
   rows_.begin(scene_.scene(), camera_, screen_, farthest);
   walker_.begin(scene_.scene(), top);
@@ -152,17 +142,22 @@ Status MeshLines<kTaps, kPaint, kPlain>::take(const SceneView& scene, const Came
   scene_ = scene;
   camera_ = camera;
   if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
-  if (smooth() && !smooth_.on()) return pool_exhausted("looks", 0, 1, 0);
-  if (scene.vertex_count() > points_.capacity())
-    return pool_exhausted("vertices", 0, scene.vertex_count(), points_.capacity());
-  const std::uint16_t faces = smooth() ? slots_.capacity() : words_.capacity();
-  if (scene.face_count() > faces) return pool_exhausted("facets", 0, scene.face_count(), faces);
-  if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
-  if (smooth() && scene.vertex_count() > levels_.capacity()) {
-    return pool_exhausted("levels", 0, scene.vertex_count(), levels_.capacity());
-  }
+  std::uint32_t needed = 0, room = 0;
+  const auto lacks = [&needed, &room](std::uint32_t of, std::uint32_t capacity) {
+    needed = of;
+    room = capacity;
+    return of > capacity;
+  };
+  const char* const pool = smooth() && lacks(1, smooth_.on())                                            ? "looks"
+                           : lacks(scene.vertex_count(), points_.capacity())                             ? "vertices"
+                           : lacks(scene.face_count(), smooth() ? slots_.capacity() : words_.capacity()) ? "facets"
+                           : lacks(1, walker_.edge_capacity())                                           ? "edges"
+                           : smooth() && lacks(scene.vertex_count(), levels_.capacity())                 ? "levels"
+                                                                                                         : nullptr;
+  if (pool != nullptr) return pool_exhausted(pool, 0, needed, room);
   if constexpr (kPlain) {
-    return scene.not_plain() == nullptr ? Status{} : bad_argument("plain", scene.not_plain());
+    const char* const other = scene.not_plain(smooth());
+    return other == nullptr ? Status{} : bad_argument("plain", other);
   } else {
     if (smooth()) {
       if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;
@@ -171,9 +166,18 @@ Status MeshLines<kTaps, kPaint, kPlain>::take(const SceneView& scene, const Came
   }
 }
 
+// Sees to the look of a face, and that the brush knows it where it is smooth.
+template <bool kTaps, Paint kPaint, bool kPlain>
+void MeshLines<kTaps, kPaint, kPlain>::learn_look(void* self, FaceId face) {
+  MeshLines& mesh = *static_cast<MeshLines*>(self);
+  const auto make = [&mesh](FaceId f, FaceLook& to) { mesh.make_look(f, to); };
+  const FaceLook& look = mesh.smooth_.look(face, mesh.slots_[face], make);
+  if (look.smooth() && !mesh.brush_.knows(face, look)) mesh.dip(look.material);
+}
+
 // How a face looks in a smooth scene, where its word is not a colour.
 template <bool kTaps, Paint kPaint, bool kPlain>
-void MeshLines<kTaps, kPaint, kPlain>::make_look(FaceId face, FaceLook& look) {
+[[gnu::always_inline]] inline void MeshLines<kTaps, kPaint, kPlain>::make_look(FaceId face, FaceLook& look) {
   const SmoothFaces& of = smooth_faces_;
   if (std::uint32_t{face} - of.first >= of.count) [[unlikely]] {
     if (!turn_to(face, look)) return;
@@ -183,13 +187,15 @@ void MeshLines<kTaps, kPaint, kPlain>::make_look(FaceId face, FaceLook& look) {
   const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
   const BrightnessPlane plane =
       brightness_plane({of.points[a], of.points[b], of.points[c]}, {of.levels[a], of.levels[b], of.levels[c]});
-  if ((plane.right | plane.down) != 0) {
-    look = {plane, face, of.material};
+  look.plane.at_zero = plane.at_zero;  // singly: as a whole they would go by way of the stack
+  look.plane.right = plane.right;
+  look.plane.down = plane.down;
+  look.face = face;
+  look.material = of.material;
+  if ((plane.right | plane.down) != 0) [[likely]]
     return;
-  }
-  const std::uint16_t* const colors = this->colors(of.material);
-  brush_.dip(of.material, colors);
-  look = FaceLook::flat(colors[BrightnessPlane::entry(plane.at_zero)], face);
+  dip(of.material);
+  look = FaceLook::flat(brush_.colors()[BrightnessPlane::entry(plane.at_zero)], face);
 }
 
 // The face and its group become the faces at hand; false where they are flat, and look so.
@@ -203,7 +209,7 @@ bool MeshLines<kTaps, kPaint, kPlain>::turn_to(FaceId face, FaceLook& flat) {
   while (mesh_face - group->first_face >= group->face_count) ++group;
   const std::uint16_t number = material_of(at.instance(), *group);
   const MaterialRecord& material = scene_.scene().materials[number];
-  if (material.shading != MaterialRecord::kGouraud) {
+  if (!kPlain && material.shading != MaterialRecord::kGouraud) {
     flat = FaceLook::flat(flat_color(at, mesh_face, material), face);
     return false;
   }
@@ -329,7 +335,7 @@ bool MeshLines<kTaps, kPaint, kPlain>::next(std::uint16_t line, Painter& painter
   CHECK(ready_ && line == line_);
   words_[0] = painter.background();
   if (!kTaps && walker_.is_blank(line)) {
-    Sink{*this, painter, tap, line}.rest(0);
+    Sink{*this, painter, tap, line}.blank();
     ++line_;
     return true;
   }

@@ -22,12 +22,17 @@ std::uint64_t by_bits(std::uint64_t rest, std::uint64_t part) {
 std::uint64_t by_digits(std::uint64_t dividend, std::uint32_t divisor) {
   std::uint64_t quotient = 0;
   std::uint32_t rest = 0;
-  int down = dividend >> 32 != 0 ? 48 : 16;
-  for (; down >= 0; down -= 16) {
-    rest = rest << 16 | (static_cast<std::uint32_t>(dividend >> down) & 0xffffu);
+  int digits = 4;
+  if (dividend >> 32 == 0) {
+    dividend <<= 32;
+    digits = 2;
+  }
+  do {
+    rest = rest << 16 | static_cast<std::uint32_t>(dividend >> 48);
+    dividend <<= 16;
     quotient = quotient << 16 | rest / divisor;
     rest %= divisor;
-  }
+  } while (--digits != 0);
   return quotient;
 }
 

@@ -19,12 +19,13 @@ struct Gradient {
 inline constexpr std::int32_t kSteepest = 1 << 26;
 
 // The gradient of a triangle of less than 256 pixels each way, where it is not steep, by one reciprocal and products of
-// 32 bits. `rise`: the second and third corner's values less the first's, below kRise. The result has kBits fraction
-// bits more and is below kSteepest; it is off by less than half a unit and 2^-25 of itself, and as if each rise were
-// cut off to 18 bits of the greater one where that has more. False where the triangle is no such.
-template <int kBits, std::int32_t kRise>
+// 32 bits. `rise`: the second and third corner's values less the first's, below kRise. The result has `bits` fraction
+// bits more, 16 at most, with which rises are below 2^18, and is below kSteepest; it is off by less than half a unit
+// and 2^-25 of itself, and as if each rise were cut off to 18 bits of the greater one where that has more. False where
+// the triangle is no such.
+template <std::int32_t kRise>
 [[gnu::always_inline]] inline bool small_gradient(const ScreenXY (&at)[3], std::int32_t rise1, std::int32_t rise2,
-                                                  Gradient& out) {
+                                                  int bits, Gradient& out) {
   const auto fit = [](std::int32_t limit, auto... v) {  // all of them in -limit … limit - 1, which is a power of two
     return (static_cast<std::uint32_t>(v + limit) | ...) < 2 * static_cast<std::uint32_t>(limit);
   };
@@ -35,7 +36,7 @@ template <int kBits, std::int32_t kRise>
   static_assert(std::int64_t{2} * kSmall * kExactRise - 1 <= INT32_MAX);
   int coarse = 0;
   if constexpr (kRise > kExactRise) {
-    if (!fit(kExactRise, rise1, rise2)) {
+    if (bits < 16 && !fit(kExactRise, rise1, rise2)) {
       const auto either = static_cast<std::uint32_t>((rise1 ^ rise1 >> 31) | (rise2 ^ rise2 >> 31));
       coarse = static_cast<int>(std::bit_width(either)) - 18;
       rise1 >>= coarse;
@@ -51,14 +52,16 @@ template <int kBits, std::int32_t kRise>
   }
   const std::int32_t along_x = rise1 * dy2 - rise2 * dy1;
   const std::int32_t along_y = rise2 * dx1 - rise1 * dx2;
-  // along / area * 2^(kBits + 4 + coarse), where 1 / area = inverse * 2^up / 2^61: `along` goes up before the product,
+  // along / area * 2^(bits + 4 + coarse), where 1 / area = inverse * 2^up / 2^61: `along` goes up before the product,
   // of which the high half is taken, and comes down after it. Of a gradient below kSteepest it fits if that is by 4.
   const int up = std::countl_zero(static_cast<std::uint32_t>(area)) - 1;
   const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(static_cast<std::uint32_t>(area) << up));
   static_assert(kSteepest == (1 << 30) >> 4);
-  constexpr int kDown = 4, kLeastUp = 31 - (2 * 12 + 2);  // areas are 2^25 at most
-  int room = up + coarse - (61 - 32 - 4 - kBits - kDown), down = kDown;
-  if (kLeastUp < 61 - 32 - 4 - kBits - kDown && room < 0) {
+  constexpr int kLeastUp = 31 - (2 * 12 + 2);  // areas are 2^25 at most
+  int down = 4;
+  const int least = 61 - 32 - 4 - down - bits;
+  int room = up + coarse - least;
+  if (kLeastUp < least && room < 0) {
     down -= room;
     room = 0;
   }

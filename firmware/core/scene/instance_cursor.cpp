@@ -16,6 +16,11 @@ namespace spanline {
   enter();
 }
 
+[[gnu::cold]] void InstanceCursor::begin(const SceneRecord& scene) {
+  scene_ = &scene;
+  rewind();
+}
+
 [[gnu::cold]] void InstanceCursor::rewind() {
   index_ = first_vertex_ = first_face_ = 0;
   enter();

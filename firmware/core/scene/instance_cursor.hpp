@@ -8,7 +8,10 @@ namespace spanline {
 class InstanceCursor {
  public:
   InstanceCursor() = default;
-  explicit InstanceCursor(const SceneRecord& scene) : scene_(&scene) { enter(); }
+  explicit InstanceCursor(const SceneRecord& scene) { begin(scene); }
+
+  // Begins at the first instance of a scene.
+  void begin(const SceneRecord& scene);
 
   // Makes the instance current that holds the vertex (or face) of this number over the scene.
   void to_vertex(std::uint32_t vertex);

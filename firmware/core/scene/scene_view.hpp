@@ -29,7 +29,9 @@ class SceneView {
   std::uint16_t curve_count() const { return curve_count_; }    // over all instances, hidden ones too
   bool layered() const { return layered_; }                     // has surface detail or see-through materials
   // What of it is not plain as Budget::plain has it, transforms and normals apart; null: nothing.
-  const char* not_plain() const { return not_plain_; }
+  const char* not_plain(bool gouraud) const {
+    return gouraud && !all_gouraud_ && not_plain_ == nullptr ? "materials" : not_plain_;
+  }
 
  private:
   const SceneRecord* scene_ = nullptr;
@@ -38,10 +40,11 @@ class SceneView {
   bool has_patches_ = false;
   std::uint16_t curve_count_ = 0;
   bool layered_ = false;
+  bool all_gouraud_ = true;  // the materials of its faces
   const char* not_plain_ = nullptr;
 };
 
-// What not_plain() says.
+// What not_plain(false) says.
 constexpr const char* what_is_not_plain(const SceneRecord& scene) {
   const auto grey = [](const std::uint16_t(&c)[3]) { return c[0] == c[1] && c[1] == c[2]; };
   if (scene.lights.size() != 1 || !scene.reaches.empty()) return "lights";
@@ -73,6 +76,11 @@ constexpr SceneView SceneView::of_compiled(const SceneRecord& scene) {
     view.vertex_count_ = static_cast<std::uint16_t>(view.vertex_count_ + mesh.positions.size());
     view.curve_count_ = static_cast<std::uint16_t>(view.curve_count_ + mesh.curves.size());
     view.has_patches_ = view.has_patches_ || mesh.of_patches();
+    for (const FaceGroup& group : mesh.groups) {
+      const bool own = instance.material == InstanceRecord::kOwnMaterials;
+      const MaterialRecord& material = scene.materials[own ? group.material : instance.material];
+      view.all_gouraud_ = view.all_gouraud_ && material.shading == MaterialRecord::kGouraud;
+    }
   }
   view.not_plain_ = what_is_not_plain(scene);
   return view;

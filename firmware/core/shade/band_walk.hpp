@@ -18,17 +18,7 @@ inline WalkStop band_flat_walk_plain(LineWalk& walk, FaceId shown) {
 }
 // LineWalk::painter is a BandBrush.
 inline WalkStop band_smooth_walk_plain(LineWalk& walk, FaceId shown) {
-  const auto paint = [pixels = walk.pixels, &brush = *static_cast<const BandBrush*>(walk.painter)](
-                         std::int32_t left, std::int32_t right, FaceId face) {
-    const FaceLook& look = brush.learned(face);
-    if (look.smooth()) {
-      smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
-    } else {
-      fill_span(pixels, left, right, look.color());
-    }
-    return true;
-  };
-  return walk_on(walk, shown, paint);
+  return learning_walk_by<BandBrush>(walk, shown);
 }
 
 #if defined(__ARM_ARCH_ISA_THUMB)

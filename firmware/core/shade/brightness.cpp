@@ -5,18 +5,6 @@
 
 namespace spanline {
 
-BrightnessPlane detail::exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1,
-                                         std::int32_t rise2) {
-  const ExactGradient gradient(at, rise1, rise2);
-  if (gradient.area == 0) return {start, 0, 0};  // covers no pixel
-  // Rises are below 2^8, distances up to 2^16: below 2^46.
-  const std::int64_t right = gradient.a_pixel(gradient.along_x, kBrightnessBits);
-  const std::int64_t down = gradient.a_pixel(gradient.along_y, kBrightnessBits);
-  const std::int64_t climb = right * (kSubpixels / 2 - at[0].x) + down * (kSubpixels / 2 - at[0].y);
-  return {start + static_cast<std::uint32_t>(climb >> 4), static_cast<std::uint32_t>(right),
-          static_cast<std::uint32_t>(down)};
-}
-
 namespace {
 
 // Of a large or narrow cell, along its diagonals; none where it would be steep, which takes a cell of no width.
@@ -59,7 +47,7 @@ BrightnessPlane cell_brightness(const ScreenXY (&at)[4], const Brightness (&corn
   const ScreenXY diagonals[3] = {{}, difference(at[0], at[2]), difference(at[1], at[3])};
   const std::int32_t rise1 = corner[2] - corner[0], rise2 = corner[3] - corner[1];
   Gradient gradient;
-  if (!small_gradient<kBrightnessBits, kFullBrightness>(diagonals, rise1, rise2, gradient)) [[unlikely]] {
+  if (!small_gradient<kFullBrightness>(diagonals, rise1, rise2, kBrightnessBits, gradient)) [[unlikely]] {
     gradient = rare_gradient(diagonals, rise1, rise2);
   }
   // What the plane through the first and third corner has too little at the second, half of which all four share.

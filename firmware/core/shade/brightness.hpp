@@ -9,6 +9,7 @@
 #include "core/geom/screen.hpp"
 #include "core/scene/format.hpp"
 #include "core/vsg/active_edge.hpp"
+#include "core/vsg/depth.hpp"
 
 namespace spanline {
 
@@ -29,24 +30,15 @@ struct BrightnessPlane {
 namespace detail {
 // Gradients are made with fewer bits than the plane has, which leaves room for the steps of slivers.
 inline constexpr int kBrightnessBits = 16;
-// By exact divisions, for large and steep triangles; `start` and the gradients with these bits.
-BrightnessPlane exact_brightness(const ScreenXY (&at)[3], std::uint32_t start, std::int32_t rise1, std::int32_t rise2);
 }  // namespace detail
 
 // The plane through three corners; inside the triangle it comes round neither end of the table.
 inline BrightnessPlane brightness_plane(const ScreenXY (&at)[3], const Brightness (&corner)[3]) {
   constexpr int kBits = detail::kBrightnessBits, kToPlane = BrightnessPlane::kFraction - kBrightnessStep - kBits;
-  const std::int32_t rise1 = corner[1] - corner[0], rise2 = corner[2] - corner[0];
-  const std::uint32_t start = (std::uint32_t{corner[0]} << kBits) + (1u << (kBrightnessStep + kBits - 1));
-  Gradient gradient;
-  BrightnessPlane plane;
-  if (small_gradient<kBits, kFullBrightness>(at, rise1, rise2, gradient)) [[likely]] {
-    plane = {at_origin(start, at[0], gradient), static_cast<std::uint32_t>(gradient.right),
-             static_cast<std::uint32_t>(gradient.down)};
-  } else {
-    plane = detail::exact_brightness(at, start, rise1, rise2);
-  }
-  return {plane.at_zero << kToPlane, plane.right << kToPlane, plane.down << kToPlane};
+  static constexpr Screen kAny{kMaxExtent, kMaxExtent};  // wherever it lies, it is off by little
+  const DepthPlane plane = value_plane(at, {corner[0], corner[1], corner[2]}, kBits, kAny);
+  constexpr std::uint32_t kHalfEntry = 1u << (kBrightnessStep + kBits - 1);
+  return {(plane.ramp.at_zero + kHalfEntry) << kToPlane, plane.ramp.slope << kToPlane, plane.down << kToPlane};
 }
 
 // Likewise of a cell of four corners in the view, convex and run either way round, whose brightness need not lie in a

@@ -53,22 +53,22 @@ class Brush {
   std::uint32_t line_ = 0;
   const std::uint16_t* colors_ = nullptr;
 };
-using SmoothBrush = Brush<LookSlots>;
 
 // One that sees to the looks that it does not know.
-class BandBrush : public Brush<LookHeads> {
+template <typename Find>
+class LearningBrush : public Brush<Find> {
  public:
-  // Makes the look of a face, or of none, the head of its chain, and dips the brush where it is smooth.
+  // Makes the look of a face, or of none where that is asked for, findable, and dips the brush where it is smooth.
   using Learn = void (*)(void* from, FaceId face);
 
-  BandBrush() = default;
-  BandBrush(const LookChains& chains, Learn learn, void* from)
-      : Brush(chains.looks(), {chains.heads()}), from_(from), learn_(learn) {}
+  LearningBrush() = default;
+  LearningBrush(FaceLook* looks, Find find, Learn learn, void* from)
+      : Brush<Find>(looks, find), from_(from), learn_(learn) {}
 
   // What it is known by then, if it is not of one colour.
   const FaceLook& learned(FaceId face) const {
     const FaceLook& look = this->look(face);
-    if (knows(face, look) || look.flat_of(face)) [[likely]]
+    if (this->knows(face, look) || look.flat_of(face)) [[likely]]
       return look;
     learn_(from_, face);
     return this->look(face);
@@ -78,5 +78,7 @@ class BandBrush : public Brush<LookHeads> {
   void* from_ = nullptr;
   Learn learn_ = nullptr;
 };
+using SmoothBrush = LearningBrush<LookSlots>;
+using BandBrush = LearningBrush<LookHeads>;
 
 }  // namespace spanline

@@ -6,7 +6,7 @@
 
 namespace spanline {
 
-// LineWalk::painter is a brush of this type, LineWalk::faces is not used.
+// LineWalk::painter is a brush of this type, LineWalk::faces is not used. Stops at looks that the brush does not know.
 template <typename Brush>
 WalkStop smooth_walk_by(LineWalk& walk, FaceId shown) {
   const auto paint = [pixels = walk.pixels, brush = *static_cast<const Brush*>(walk.painter)](
@@ -22,8 +22,23 @@ WalkStop smooth_walk_by(LineWalk& walk, FaceId shown) {
   };
   return walk_on(walk, shown, paint);
 }
+// Likewise of one that learns them.
+template <typename Brush>
+WalkStop learning_walk_by(LineWalk& walk, FaceId shown) {
+  const auto paint = [pixels = walk.pixels, &brush = *static_cast<const Brush*>(walk.painter)](
+                         std::int32_t left, std::int32_t right, FaceId face) {
+    const FaceLook& look = brush.learned(face);
+    if (look.smooth()) {
+      smooth_span(pixels, left, right, look.plane, brush.line(), brush.colors());
+    } else {
+      fill_span(pixels, left, right, look.color());
+    }
+    return true;
+  };
+  return walk_on(walk, shown, paint);
+}
 // For any core.
-inline WalkStop smooth_walk_plain(LineWalk& walk, FaceId shown) { return smooth_walk_by<SmoothBrush>(walk, shown); }
+inline WalkStop smooth_walk_plain(LineWalk& walk, FaceId shown) { return learning_walk_by<SmoothBrush>(walk, shown); }
 
 #if defined(__ARM_ARCH_ISA_THUMB)
 // The same in assembly.

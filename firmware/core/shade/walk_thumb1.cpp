@@ -8,7 +8,7 @@
 
 namespace spanline {
 
-static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
+static_assert(walk_layout_holds<LineWalk, FaceLook, Brush<LookSlots>>());
 static_assert(band_layout_holds<FaceColors, BandBrush>());
 
 asm(R"(
@@ -131,8 +131,6 @@ asm(R"(
     .endm
     .macro flat_learn
     .endm
-    .macro smooth_learn
-    .endm
     .macro band_flat_learn
     learn 8
     movs r4, r0
@@ -227,13 +225,13 @@ asm(R"(
     ldr r7, [r3, #16]
     .endm
 
-    .macro smooth_tail unknown=33b
+    .macro smooth_tail
 60: mvns r6, r6                     @ whose look r5 is
     mvns r4, r4
     uxth r4, r4
     cmp r4, r6
     beq 61f
-    b \unknown
+    b 82b
 61: ldrh r4, [r5, #4]               @ one colour
     fill_span
 9:  b 3b
@@ -250,15 +248,18 @@ asm(R"(
     smooth_state
     .endm
     .macro band_smooth_tail
-    smooth_tail 82b
+    smooth_tail
     .endm
-    .macro band_smooth_learn
+    .macro smooth_learn
 82: mvns r4, r4                     @ as smooth_tail leaves it
     uxth r4, r4
     learn 20
     ldr r7, [r5, #16]
     movs r0, r4
     b 5f
+    .endm
+    .macro band_smooth_learn
+    smooth_learn
     .endm
 
     .macro walk name, kind
@@ -299,8 +300,6 @@ asm(R"(
 31: movs r0, #1
     b 39f
 32: movs r0, #0
-    b 39f
-33: movs r0, #3
 39: ldr r3, [sp]
     mov r4, r8
     mov r5, r9

@@ -10,7 +10,7 @@
 
 namespace spanline {
 
-static_assert(walk_layout_holds<LineWalk, FaceLook, SmoothBrush>());
+static_assert(walk_layout_holds<LineWalk, FaceLook, Brush<LookSlots>>());
 static_assert(band_layout_holds<FaceColors, BandBrush>());
 
 asm(R"(
@@ -21,8 +21,8 @@ asm(R"(
 @ walk, then its side. The edge at hand: r3 x, r4 dx, r5 toggle, r6 rest.
 
 @ Fills the span up to the column of x = r3 with r4, up to eight pixels too far. Takes r0, r3 to r6 and lr; left comes to
-@ the column.
-    .macro fill_span
+@ the column. Where most are gaps and flat faces between smooth ones, short code will do.
+    .macro fill_span long_ones=0
     add r0, r11, r8, lsl #1
     strh r4, [r0], #2
     bic r0, #3                      @ from here on whole words
@@ -32,6 +32,15 @@ asm(R"(
     strd r4, r4, [r0], #8
     cmp r0, r3
     bhs 9f
+    .if \long_ones
+    sub r5, r3, r0
+    cmp r5, #64
+    bhi 50f
+8:  strd r4, r4, [r0], #8
+    strd r4, r4, [r0], #8
+    cmp r0, r3
+    blo 8b
+    .else
     .rept 2
     strd r4, r4, [r0], #8
     strd r4, r4, [r0], #8
@@ -50,6 +59,7 @@ asm(R"(
     bhs 9f
     .endr
     stm r0!, {r4-r6, lr}
+    .endif
 9:
     .endm
 
@@ -144,15 +154,15 @@ asm(R"(
     ldrh r4, [r4, #4]
     .endm
 
-@ 14 bytes each, which the table of smooth_span takes for granted: more of them are an error.
+@ 12 bytes each, which the table of smooth_span takes for granted: more of them are an error.
     .macro smooth_pixels count
     .rept \count
 78:
-    lsr lr, r5, #26
-    ldrh lr, [r6, lr, lsl #1]
+    lsrs r3, r5, #26
+    ldrh r3, [r6, r3, lsl #1]
     add r5, r4
-    strh lr, [r0], #2
-    .org 78b + 14
+    strh r3, [r0], #2
+    .org 78b + 12
     .endr
     .endm
 
@@ -170,36 +180,36 @@ asm(R"(
     mla r0, r6, r5, r0
     mla r5, r8, r4, r0
     add r0, r11, r8, lsl #1
-    rsb r3, r8, r3, asr #20         @ pixels
-    add r8, r3
+    sub lr, r8, r3, asr #20         @ as many pixels less than none
+    sub r8, lr
     ldr r6, [r12, #16]              @ colours
-    rsbs lr, r3, #8
-    bhs 7f
+    adds lr, #8
+    bpl 7f
 6:  smooth_pixels 4
-    subs r3, #4
-    rsbs lr, r3, #8
-    blo 6b
+    adds lr, #4
+    bmi 6b
 7:  tbb [pc, lr]                    @ past those of eight that are too many
 71: .set past, 0                    @ half the bytes from here to the first pixel, and those of a pixel
     .rept 8
-    .byte 4 + 7 * past
+    .byte 4 + 6 * past
     .set past, past + 1
     .endr
     smooth_pixels 8
     .endm
 
 @ The span of a face whose look, r4 and lr, is not the brush's: of one colour, or else to `unknown`. The face is r5's.
-    .macro smooth_tail unknown
+    .macro look_tail unknown
 80: movt r5, #0xffff
     cmp r5, lr
     bne \unknown
     ldrh r4, [r4, #4]
-    fill_span
+    fill_span long_ones=1
     b 4b
     .endm
 
-    .macro band_smooth_tail unknown
-    smooth_tail 82f
+@ The same where what is unknown is learned.
+    .macro smooth_tail unknown
+    look_tail 82f
 82: push {r1-r3, r12, lr}           @ as many as keep the stack aligned
     uxth r5, r5
     mov r1, r5
@@ -208,6 +218,10 @@ asm(R"(
     pop {r1-r3, r12, lr}
     mov lr, r5
     b 5b
+    .endm
+
+    .macro band_smooth_tail unknown
+    smooth_tail
     .endm
 
     .macro band_smooth_state
@@ -227,16 +241,23 @@ asm(R"(
     .endm
 
     .macro smooth_grid_tail unknown
-    smooth_tail \unknown
+    look_tail \unknown
     .endm
 
     .macro smooth_grid_span unknown
     smooth_span \unknown, look_by_cell
     .endm
 
-@ Words of r4 from r0 on up to r3, eight at least. Takes r1, r2, r5 to r7, r9 and r10.
-    .macro fill_blocks
-    mov r1, r4
+@ The same, more than 16 pixels from where the span began; and 57, words of r4 from r0 on up to r3, eight at least, which
+@ takes r1, r2, r5 to r7, r9 and r10.
+    .macro long_fill
+50: push {r1, r2, r7, r9, r10}
+    adds r3, #2                     @ to the end of a word
+    bic r3, r3, #3
+    bl 57f
+    pop {r1, r2, r7, r9, r10}
+    b 9b
+57: mov r1, r4
     mov r2, r4
     mov r5, r4
     mov r6, r4
@@ -256,16 +277,7 @@ asm(R"(
 55: cmp r0, r3
     bls 54b
     stm r3, {r1, r2, r4-r7, r9, r10}  @ over what is there already
-    .endm
-
-@ The same, more than 16 pixels from where the span began.
-    .macro long_fill
-50: push {r1, r2, r7, r9, r10}
-    adds r3, #2                     @ to the end of a word
-    bic r3, r3, #3
-    fill_blocks
-    pop {r1, r2, r7, r9, r10}
-    b 9b
+    bx lr
     .endm
 
 @ With whole_lines there is an entry that begins a line, and the walk ends it: what is painted with knows the background.
@@ -433,7 +445,7 @@ spanline_\kind\()_walk:
     sub r5, r3, r0
     cmp r5, #32
     blt 62f
-    fill_blocks
+    bl 57b
     b 63f
 61: str r4, [r0], #4
 62: cmp r0, r3

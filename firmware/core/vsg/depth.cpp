@@ -17,48 +17,45 @@ std::int32_t pixel_on_screen(std::int32_t v, std::int32_t pixels) {
 
 constexpr std::int32_t centre(std::int32_t pixel) { return pixel * kSubpixels + kSubpixels / 2; }
 
-// The plane of a triangle of less than 256 pixels each way that is not too steep. Both gradients have the same relative
-// error, so within the triangle the plane is off by that part of what it rises: 2^-25 of less than 65536 units; by what
-// is cut off of a rise of 1024 units and more, a quarter of a unit at most; and by 2^-14 a pixel. False where it is no
-// such triangle.
-inline bool small_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], DepthPlane& plane) {
-  Gradient gradient;
-  if (!small_gradient<kRampShift, 1 << kDepthBits>(at, static_cast<std::int32_t>(depth[1] - depth[0]),
-                                                   static_cast<std::int32_t>(depth[2] - depth[0]), gradient)) {
-    return false;
-  }
-  plane.ramp.slope = static_cast<std::uint32_t>(gradient.right);
-  plane.down = static_cast<std::uint32_t>(gradient.down);
-  plane.ramp.at_zero = at_origin(depth[0] << kRampShift, at[0], gradient);
-  return true;
-}
-
 // The plane of any triangle.
-[[gnu::noinline]] DepthPlane exact_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3],
+[[gnu::noinline]] DepthPlane exact_plane(const ScreenXY (&at)[3], const std::uint32_t (&value)[3], int bits,
                                          const Screen& screen) {
-  const ExactGradient gradient(at, static_cast<std::int32_t>(depth[1] - depth[0]),
-                               static_cast<std::int32_t>(depth[2] - depth[0]));
-  if (gradient.area == 0) return {};  // covers no pixel
+  const ExactGradient gradient(at, static_cast<std::int32_t>(value[1] - value[0]),
+                               static_cast<std::int32_t>(value[2] - value[0]));
+  DepthPlane plane;
+  plane.ramp.at_zero = value[0] << bits;
+  if (gradient.area == 0) return plane;  // covers no pixel
   const std::int32_t column = pixel_on_screen(at[0].x, screen.width);
   const std::int32_t line = pixel_on_screen(at[0].y, screen.height);
-  // Distances are below 2^16 and rises below 2^24, so this is below 2^63.
+  // Distances are below 2^16, and rises below 2^24 with kRampShift, below 2^13 with 16 bits, so this is below 2^63.
   const std::int64_t climb = (gradient.along_x * (centre(column) - at[0].x) +  //
-                              gradient.along_y * (centre(line) - at[0].y)) *
-                             (1 << kRampShift);
-  DepthPlane plane;
-  plane.ramp.slope = static_cast<std::uint32_t>(gradient.a_pixel(gradient.along_x, kRampShift));
-  plane.down = static_cast<std::uint32_t>(gradient.a_pixel(gradient.along_y, kRampShift));
-  plane.ramp.at_zero = (depth[0] << kRampShift) + static_cast<std::uint32_t>(rare_floor_div(climb, gradient.area)) -
-                       plane.ramp.slope * static_cast<std::uint32_t>(column) -
-                       plane.down * static_cast<std::uint32_t>(line);
+                              gradient.along_y * (centre(line) - at[0].y));
+  const auto by_area = [&](std::int64_t v, std::int64_t more) __attribute__((noinline)) {
+    return static_cast<std::uint32_t>(rare_floor_div(v * (1 << bits) + more, gradient.area));
+  };
+  plane.ramp.slope = by_area(gradient.along_x * kSubpixels, gradient.area >> 1);
+  plane.down = by_area(gradient.along_y * kSubpixels, gradient.area >> 1);
+  plane.ramp.at_zero += by_area(climb, 0) - plane.ramp.slope * static_cast<std::uint32_t>(column) -
+                        plane.down * static_cast<std::uint32_t>(line);
   return plane;
 }
 
 }  // namespace
 
-DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen) {
+// Of a triangle of less than 256 pixels each way that is not too steep both gradients have the same relative error, so
+// within the triangle the plane is off by that part of what it rises: 2^-25 of less than 65536 units; by what is cut
+// off of a rise of 1024 units and more, a quarter of a unit at most; and by half the last bit a pixel.
+DepthPlane value_plane(const ScreenXY (&at)[3], const std::uint32_t (&value)[3], int bits, const Screen& screen) {
+  Gradient gradient;
+  if (!small_gradient<1 << kDepthBits>(at, static_cast<std::int32_t>(value[1] - value[0]),
+                                       static_cast<std::int32_t>(value[2] - value[0]), bits, gradient)) [[unlikely]] {
+    return exact_plane(at, value, bits, screen);
+  }
   DepthPlane plane;
-  return small_plane(at, depth, plane) ? plane : exact_plane(at, depth, screen);
+  plane.ramp.slope = static_cast<std::uint32_t>(gradient.right);
+  plane.down = static_cast<std::uint32_t>(gradient.down);
+  plane.ramp.at_zero = at_origin(value[0] << bits, at[0], gradient);
+  return plane;
 }
 
 DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen) {

@@ -19,7 +19,11 @@ struct DepthPlane {
     return {ramp.at_zero + down * static_cast<std::uint32_t>(line), ramp.slope};
   }
 };
-DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen);
+// Likewise of another value, with as many fraction bits: kRampShift of one of kDepthBits, to 16 of one of 13 bits.
+DepthPlane value_plane(const ScreenXY (&at)[3], const std::uint32_t (&value)[3], int bits, const Screen& screen);
+inline DepthPlane depth_plane(const ScreenXY (&at)[3], const std::uint32_t (&depth)[3], const Screen& screen) {
+  return value_plane(at, depth, kRampShift, screen);
+}
 
 // The plane of a face of the scene, a triangle that the view does not clip. Makes it the reader's current face.
 DepthPlane face_plane(FacetReader& reader, std::uint16_t face, const Screen& screen);

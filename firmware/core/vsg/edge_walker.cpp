@@ -91,66 +91,43 @@ bool EdgeWalker::make_way() {
   return true;
 }
 
-// Edges that lie in one column, up to where the walk has come.
-struct EdgeWalker::Column {
-  const ActiveEdge *first, *end;  // of those alive
-  const ActiveEdge *begun, *begun_end;
-
-  // The first edge of which holds(edge).
-  template <typename Holds>
-  const ActiveEdge* find(const Holds& holds) const {
-    for (const ActiveEdge* e = first; e != end; ++e) {
-      if (holds(*e)) return e;
-    }
-    for (const ActiveEdge* e = begun; e != begun_end; ++e) {
-      if (holds(*e)) return e;
-    }
-    return nullptr;
-  }
-  template <typename Take>
-  void each(const Take& take) const {
-    find([&take](const ActiveEdge& e) {
-      take(e);
-      return false;
-    });
-  }
-  // A face that begins here and does not end here; 0: none.
-  [[gnu::noinline]] FaceId begins() const {
-    const ActiveEdge* const edge = find([this](const ActiveEdge& e) {
-      const FaceId face = e.beginning();
-      return face != 0 && find([face](const ActiveEdge& other) { return other.ending() == face; }) == nullptr;
-    });
-    return edge != nullptr ? edge->beginning() : FaceId{0};
-  }
-};
-
-// Brings the set of faces up to date with the edges in the column that the walk has come to, which are several. Of two
-// faces mostly one begins there, and the key knows the other.
+// Brings the set of faces up to date with the edges in the column that the walk has come to, which are several: the
+// last that it has taken of those alive, and of those that begin.
 void EdgeWalker::gather_overlap() {
-  const CoverKey key = walk_.key;
-  const Column here = column();
-  if (key >> kCoverCount == 2) {
-    if (const FaceId face = here.begins(); face != 0) return overlap_.set(face, static_cast<FaceId>(key - face));
-  }
-  // The order of edges in one column is not that of their faces: only between columns is the key what it says.
-  CoverKey before = key;
-  here.each([&before](const ActiveEdge& e) { before -= e.toggle; });
-  if (before < kTwoFaces) overlap_.set(only_face(before));
-  here.each([this](const ActiveEdge& e) { overlap_.toggle(e); });
-}
-
-// The edges in the column that the walk has come to.
-inline EdgeWalker::Column EdgeWalker::column() const {
   const std::int32_t from = walk_.left == 0 ? INT32_MIN : walk_.left;
-  const ActiveEdge *const alive = walk_.alive(), *const begun = walk_.begun();
-  Column column{alive, alive, begun, begun};
-  while (column.first != walk_.now && column.first[-1].column() >= from) --column.first;
-  while (column.begun != walk_.alive_end + 1 && column.begun[-1].column() >= from) --column.begun;
-  return column;
+  const ActiveEdge* const begin[2] = {walk_.now, walk_.alive_end + 1};
+  const ActiveEdge* const end[2] = {walk_.alive(), walk_.begun()};
+  const ActiveEdge* first[2];
+  // The order of edges in one column is not that of their faces: only between columns is the key what it says.
+  CoverKey before = walk_.key;
+  for (int i = 0; i < 2; ++i) {
+    const ActiveEdge* edge = end[i];
+    for (; edge != begin[i] && edge[-1].column() >= from; --edge) before -= edge[-1].toggle;
+    first[i] = edge;
+  }
+  if (before < kTwoFaces) overlap_.set(only_face(before));
+  for (int i = 0; i < 2; ++i) {
+    for (const ActiveEdge* edge = first[i]; edge != end[i]; ++edge) overlap_.toggle(*edge);
+  }
 }
 
 bool EdgeWalker::run_tall_again(ActiveEdge& edge, std::int32_t line, const ScreenXY (&corner)[3]) {
-  return run_tall(edge, line, [&corner](unsigned i) { return corner[i]; });
+  const bool left = edge.ending() == 0;  // of its face
+  for (unsigned i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
+    ScreenXY top = corner[i], bottom = corner[j];
+    if (top.y > bottom.y) std::swap(top, bottom);
+    // One that begins on this very line comes from its own vertex.
+    if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
+    const ScreenXY third = corner[k];
+    const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
+    if ((side < 0) != left) continue;
+    const EdgeRun run = start_run(top, bottom, line);
+    edge.x = run.x;
+    edge.dx = run.dx;
+    edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
+    return true;
+  }
+  return false;
 }
 
 }  // namespace spanline

@@ -49,15 +49,14 @@ class EdgeWalker {
   bool none_alive() const { return walk_.alive_end == walk_.now; }
 
   // The visible spans of the line. sink.start(LineWalk&) sets its pixels, begins it and
-  // goes on as sink.run(LineWalk&, FaceId), which is walk_on() with a paint of its own; where it stops at a look,
+  // goes on as sink.run(LineWalk&, FaceId), which is walk_on() with a paint of its own; where it may stop at a look,
   // sink.learn(FaceId) sees to it that it does not again. sink.one(left, right, FaceId) takes the spans at the line's
-  // right end, sink.rest(left) all of them where nothing covers it; sink.front(left, right, FaceId, ramp) those where
-  // others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces cover a pixel
-  // than the overlap set holds: from there on spans of several faces are left out.
-  // again(ActiveEdge&, line) begins a tall edge again; false where it has ended, and for every other edge.
-  // plane.nearest(const OverlapSet&, PlaneCache&) is the face that is nearer than every other one wherever both are, or
-  // 0 where that takes planes; plane.nearer(FaceId, FaceId, left, right, PlaneCache&) likewise of two, over these
-  // columns.
+  // right end, sink.front(left, right, FaceId, ramp) those where others are behind. plane(FaceId) makes a face's depth
+  // plane. Steps the edges. False where more faces cover a pixel than the overlap set holds: from there on spans of
+  // several faces are left out. again(ActiveEdge&, line) begins a tall edge again; false where it has ended, and for
+  // every other edge. plane.nearest(const OverlapSet&, PlaneCache&) is the face that is nearer than every other one
+  // wherever both are, or 0 where that takes planes; plane.nearer(FaceId, FaceId, left, right, PlaneCache&) likewise of
+  // two, over these columns.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
 
@@ -88,8 +87,6 @@ class EdgeWalker {
 
  protected:
   void end_start(ActiveEdge* first, ActiveEdge* out);
-  template <typename Point>
-  static bool run_tall(ActiveEdge& edge, std::int32_t line, const Point& point);
 
   LineWalk walk_{};
   ActiveEdge* pool_ = nullptr;
@@ -108,8 +105,6 @@ class EdgeWalker {
   template <typename Sink, typename Plane, typename Again>
   [[gnu::cold, gnu::noinline]] void cut_off(std::int32_t line, const Sink& sink, const Plane& plane,
                                             const Again& again);
-  struct Column;
-  Column column() const;
   FaceId begun_alone() const;
   [[gnu::cold]] void gather_overlap();
   template <typename Sink, typename Plane>
@@ -129,28 +124,6 @@ bool EdgeWalker::start_by(const Start& start) {
   if (out == nullptr) return false;
   end_start(first, out);
   return true;
-}
-
-// Begins a tall edge again on `line`, by point(i), the corners of the face that it begins or ends, of which it is the
-// left or right edge.
-template <typename Point>
-bool EdgeWalker::run_tall(ActiveEdge& edge, std::int32_t line, const Point& point) {
-  const bool left = edge.ending() == 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    ScreenXY top = point(i), bottom = point((i + 1) % 3);
-    if (top.y > bottom.y) std::swap(top, bottom);
-    // One that begins on this very line comes from its own vertex.
-    if (first_centre(top.y) >= line || first_centre(bottom.y) <= line) continue;
-    const ScreenXY third = point((i + 2) % 3);
-    const std::int32_t side = (bottom.x - top.x) * (third.y - top.y) - (bottom.y - top.y) * (third.x - top.x);
-    if ((side < 0) != left) continue;
-    const EdgeRun run = start_run(top, bottom, line);
-    edge.x = run.x;
-    edge.dx = run.dx;
-    edge.rest += static_cast<std::uint32_t>(run.lines - 1) * ActiveEdge::kOneLine;
-    return true;
-  }
-  return false;
 }
 
 // The face that begins in the column that the walk has come to, where a single edge lies in it; 0: it is not so simple.
@@ -195,12 +168,11 @@ FaceId EdgeWalker::front_of_set(std::int32_t line, std::int32_t right, const Sin
     const DepthPlane& p = planes_.of(face, plane);
     return p.on_line(line);
   };
-  const std::int32_t left = walk_.left;
-  const FaceId face = overlap_.count() == 2 ? nearer_by_ramps(overlap_[0], overlap_[1], left, right, ramp_of)
-                                            : plane.nearest(overlap_, planes_);
-  if (face != 0) [[likely]]
-    return face;
-  return resolve_overlap(overlap_, left, right, ramp_of,
+  if (overlap_.count() != 2) {
+    if (const FaceId face = plane.nearest(overlap_, planes_); face != 0) [[likely]]
+      return face;
+  }
+  return resolve_overlap(overlap_, walk_.left, right, ramp_of,
                          [&sink](std::int32_t begin, std::int32_t end, FaceId shown, const DepthRamp& ramp) {
                            sink.front(begin, end, shown, ramp);
                          });
@@ -212,11 +184,7 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
   WalkStop stop = sink.start(walk);
   if (goes_on(stop)) stop = go_on(stop, line, sink, plane, again);
   if (stop == WalkStop::side) {
-    if (walk.is_through()) [[likely]] {
-      sink.rest(walk.left);
-    } else {
-      cut_off(line, sink, plane, again);
-    }
+    cut_off(line, sink, plane, again);
     walk.end_line();
   }
   return !overlap_.overflow();
@@ -233,10 +201,15 @@ WalkStop EdgeWalker::go_on(WalkStop stop, std::int32_t line, const Sink& sink, c
       shown = front(line, right, sink, plane);
       if (shown == 0) [[unlikely]]
         walk.left = right;
-    } else if (stop == WalkStop::look) {
-      if (walk.key < kTwoFaces) shown = only_face(walk.key);
-      sink.learn(shown);
     } else {
+      if constexpr (requires { sink.learn(shown); }) {
+        if (stop == WalkStop::look) {
+          if (walk.key < kTwoFaces) shown = only_face(walk.key);
+          sink.learn(shown);
+          stop = sink.run(walk, shown);
+          continue;
+        }
+      }
       shown = 0;
       if (again(*walk.out, line + 1)) walk.put_out();
     }
@@ -260,8 +233,7 @@ void EdgeWalker::cut_off(std::int32_t line, const Sink& sink, const Plane& plane
         sink.one(walk.left, column, only_face(walk.key));
       } else {
         gather_overlap();
-        FaceId face = plane.nearest(overlap_, planes_);
-        if (face == 0) face = front_of_set(line, column, sink, plane);
+        const FaceId face = front_of_set(line, column, sink, plane);
         if (face != 0) sink.one(walk.left, column, face);
       }
       walk.left = column;

@@ -22,7 +22,7 @@ struct FanStart {
   const std::uint16_t* starts;  // MeshRecord::fan_starts
   const FanEdge* fans;
   const std::uint16_t* links;  // to the vertex after
-  std::uintptr_t last;         // that out may come to, as a number: a fan may have more edges than the pool
+  std::uintptr_t last;         // that out may come to
   ActiveEdge* begin;           // the first edge that begins
 
   std::uint32_t at() const { return vertex - first; }
@@ -35,9 +35,9 @@ struct FanStart {
     const bool drawn = face != FanEdge::kNone && static_cast<const Word*>(words)[face] != not_drawn;
     return drawn ? cover + face : CoverKey{0};
   }
-  // begin_edge(FromVertex, bottom, begins, ends) for each of the vertex's edges that begin.
+  // begin_edge(FromVertex, bottom, begins, ends) for each of the vertex's edges that begin, as long as it returns true.
   template <typename Word, typename BeginEdge>
-  void each_to_start(const BeginEdge& begin_edge) const {
+  bool each_to_start(const BeginEdge& begin_edge) const {
     const FromVertex from(PackedXY(points[at()]), line);
     const FanEdge* edge = fan();
     const FanEdge* const end = fan_end();
@@ -46,27 +46,32 @@ struct FanStart {
       const PackedXY bottom(points[edge->to]);
       if (from.has_ended(bottom)) continue;
       const CoverKey ends = covers<Word>(left), begins = covers<Word>(edge->face);
-      if (begins != ends) begin_edge(from, bottom, begins, ends);  // else both are 0
+      if (begins != ends && !begin_edge(from, bottom, begins, ends)) return false;  // else both are 0
     }
+    return true;
   }
 };
 
-// Starts the edges that run down from the vertices of the mesh, and stops before the first one that is not of it, or
-// whose fan has more edges than there is room for. The faces to be drawn are those that are run counter-clockwise on
-// the screen. For any core.
+// Starts the edges that run down from the vertices of the mesh, and stops before the first one that is not of it. Where
+// there is no room for an edge it stops, and `vertex` is left as it was. The faces to be drawn are those that are run
+// counter-clockwise on the screen. For any core.
 template <typename Word>
 void start_fans_plain(FanStart& start) {
+  const std::uint32_t first = start.vertex;
+  const auto begin = [&start](const FromVertex& from, PackedXY bottom, CoverKey begins, CoverKey ends) {
+    if (reinterpret_cast<std::uintptr_t>(start.out) >= start.last) return false;
+    ActiveEdge* const out = start.out++;
+    out->toggle = begins - ends;
+    from.run(*out, bottom, static_cast<FaceId>(ends));
+    // They come nearly in order.
+    if (out->x < out[-1].x) [[unlikely]]
+      insert_back(start.begin, out, ActiveEdge{*out});
+    return true;
+  };
   for (; start.at() < start.count; start.vertex = start.links[start.vertex]) {
-    const auto most = static_cast<std::uintptr_t>(start.fan_end() - start.fan()) * sizeof(ActiveEdge);
-    if (most > start.last - reinterpret_cast<std::uintptr_t>(start.out)) return;
-    start.each_to_start<Word>([&start](const FromVertex& from, PackedXY bottom, CoverKey begins, CoverKey ends) {
-      ActiveEdge* const out = start.out++;
-      out->toggle = begins - ends;
-      from.run(*out, bottom, static_cast<FaceId>(ends));
-      // They come nearly in order.
-      if (out->x < out[-1].x) [[unlikely]]
-        insert_back(start.begin, out, ActiveEdge{*out});
-    });
+    if (start.each_to_start<Word>(begin)) continue;
+    start.vertex = first;
+    return;
   }
 }
 

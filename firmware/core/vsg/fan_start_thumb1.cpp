@@ -19,9 +19,9 @@ asm(R"(
 
 @ What each kind has of its own: the vertex after the one at hand, to r3; of the vertex r3 the fan r0 to lr and r5, and
 @ itself, to r4; the lower end of the edge r0, to r3, which may take r4; what face r4 covers, to r4, and to `none` where
-@ that is nothing, which may take r5; that lower end once more. Bytes are as
-@ words, but for what a face covers.
-    .macro fan_of_r4 free
+@ that is nothing, which may take r5; that lower end once more; whether there is room for an edge, or else to 70. Bytes are
+@ as words, but for what a face covers.
+    .macro fan_of_r4
     ldr r5, [sp, #28]               @ count
     cmp r4, r5
     bhs 70f
@@ -32,12 +32,6 @@ asm(R"(
     ldrh r5, [r5, #2]
     lsls r0, r0, #2
     lsls r5, r5, #2
-    subs r6, r5, r0
-    lsls r6, r6, #2
-    adds r6, r6, r7
-    ldr \free, [sp, #44]            @ last
-    cmp r6, \free
-    bhi 70f
     ldr r6, [sp, #36]               @ fans
     adds r0, r0, r6
     adds r5, r5, r6
@@ -51,7 +45,7 @@ asm(R"(
     .macro vertex_words
     ldr r4, [sp, #24]               @ first
     subs r4, r3, r4
-    fan_of_r4 r3
+    fan_of_r4
     lsls r4, r4, #2
     ldr r4, [r1, r4]
     .endm
@@ -81,6 +75,13 @@ asm(R"(
     point_words
     .endm
     .macro far_words
+71: ldr r0, [sp, #64]
+    b 72b
+    .endm
+    .macro room_words               @ takes r4
+    ldr r4, [sp, #44]               @ last
+    cmp r7, r4
+    bhs 71f
     .endm
 
     .macro covers_bytes none
@@ -102,7 +103,13 @@ asm(R"(
     ldrh r4, [r3, #4]
     ldr r5, [sp, #24]               @ first
     subs r4, r4, r5
-    fan_of_r4 r4
+    fan_of_r4
+    subs r6, r5, r0
+    lsls r6, r6, #2
+    adds r6, r6, r7
+    ldr r4, [sp, #44]               @ last
+    cmp r6, r4
+    bhi 70f
     ldr r4, [r3]
     .endm
     .macro point_band site
@@ -145,6 +152,8 @@ asm(R"(
     bl 80f
     mov lr, r5
     b 9\site\()b
+    .endm
+    .macro room_band                @ of the whole fan there is
     .endm
     .macro far_band
     far_site 1
@@ -226,7 +235,7 @@ spanline_start_fans_\kind:
 70: ldr r0, [sp, #64]
     ldr r3, [sp, #4]
     str r3, [r0, #8]
-    str r7, [r0, #16]
+72: str r7, [r0, #16]
     add sp, #48
     pop {r4-r7}
     mov r8, r4
@@ -256,6 +265,7 @@ spanline_start_fans_\kind:
     subs r4, r4, r5
     beq 7f                          @ covers nothing on either side
     str r4, [r7, #8]
+    room_\of
     uxth r5, r5
     subs r4, r6, #1
     lsrs r4, r4, #4

@@ -19,20 +19,17 @@ asm(SPANLINE_EDGE_SLOPE R"(
 
 @ What each kind has of its own: to the vertex r3, its fan r0 to r5, itself r9, the next r4; the lower end of the edge r0,
 @ which it steps beyond, to r7; what face r4 covers, to `to`, and to `none` where that is nothing, which may take r3, r5
-@ and lr; that lower end once more, to r3; on from a fan's end. Bytes are as words, but for what a face covers.
+@ and lr; that lower end once more, to r3; on from a fan's end; whether there is room for an edge, or else to 70. Bytes
+@ are as words, but for what a face covers.
     .macro fan_of_r4
     ldrd r6, r7, [sp, #32]          @ starts, fans
     add r6, r6, r4, lsl #1
     ldrh r0, [r6]
     ldrh r5, [r6, #2]
     .endm
-    .macro fan_at_hand              @ r6: last
+    .macro fan_at_hand
     add r0, r7, r0, lsl #2
     add r5, r7, r5, lsl #2
-    subs r7, r5, r0
-    add r7, r12, r7, lsl #2
-    cmp r7, r6
-    bhi 70f
     .endm
     .macro vertex_words
     ldrd r4, r5, [sp, #24]          @ first, count
@@ -41,7 +38,7 @@ asm(SPANLINE_EDGE_SLOPE R"(
     bhs 70f
     fan_of_r4
     ldr r9, [r1, r4, lsl #2]
-    ldrd r4, r6, [sp, #40]          @ links, last
+    ldr r4, [sp, #40]               @ links
     fan_at_hand
     ldrh r4, [r4, r3, lsl #1]
     .endm
@@ -69,6 +66,13 @@ asm(SPANLINE_EDGE_SLOPE R"(
     b 1b
     .endm
     .macro rest_words
+71: ldr r4, [sp, #48]
+    b 72b
+    .endm
+    .macro room_words               @ takes r4
+    ldr r4, [sp, #44]               @ last
+    cmp r12, r4
+    bhs 71f
     .endm
 
     .macro covers_bytes to, none
@@ -85,6 +89,10 @@ asm(SPANLINE_EDGE_SLOPE R"(
     fan_of_r4
     ldr r6, [sp, #44]               @ last
     fan_at_hand
+    subs r7, r5, r0
+    add r7, r12, r7, lsl #2
+    cmp r7, r6
+    bhi 70f
     ldr r9, [lr]
     ldrb r4, [lr, #6]
     .endm
@@ -125,6 +133,8 @@ asm(SPANLINE_EDGE_SLOPE R"(
     .macro next_band
     cmp r3, #0
     bne 1b
+    .endm
+    .macro room_band                @ of the whole fan there is
     .endm
     .macro rest_band
     far_band 1
@@ -189,6 +199,7 @@ spanline_start_fans_\kind:
     beq 50f
     uxth lr, r8
     mov r8, r4
+    room_\of
     rsb r3, r9, r7, lsl #16         @ across
     add r7, r6, r10                 @ down
     edge_slope r4, r3, r7, r4, 30f
@@ -214,7 +225,7 @@ spanline_start_fans_\kind:
 
 70: ldr r4, [sp, #48]
     str r3, [r4, #8]
-    str r12, [r4, #16]
+72: str r12, [r4, #16]
     add sp, #52
     pop {r4-r11, pc}
 

@@ -41,8 +41,6 @@ struct LineWalk {
     key = 0;
     furthest = INT32_MIN;
   }
-  // Whether nothing lies right of the column come to.
-  bool is_through() const { return key == 0 && edge->x == ActiveEdge::kNever && other->x == ActiveEdge::kNever; }
   // The next line's edges become the line's.
   void end_line() {
     std::swap(now, begin);
@@ -65,7 +63,7 @@ struct LineWalk {
   const ActiveEdge* alive() const { return edge < other ? edge : other; }
   const ActiveEdge* begun() const { return edge < other ? other : edge; }
   // Puts *out, which its left neighbours may be beyond, in its place.
-  void put_out() {
+  [[gnu::noinline]] void put_out() {
     if (out->x < furthest) [[unlikely]] {
       insert_back(begin, out, ActiveEdge{*out});
     } else {

@@ -3,7 +3,7 @@
 namespace spanline {
 
 void MeshWalker::begin(const SceneRecord& scene, std::int32_t top) {
-  cursor_ = InstanceCursor(scene);
+  cursor_.begin(scene);
   fans_.count = 0;
   buckets_.clear(top, screen_.height);
   EdgeWalker::begin();
@@ -36,32 +36,10 @@ bool MeshWalker::start_edges(std::int32_t line, const DrawnFaces<Word>& drawn) {
     fans.words = drawn.words + first_id_;
     start_fans(fans, drawn.words);
     if (fans.vertex == VertexBuckets::kEnd) break;
-    if (fans.vertex - fans.first >= fans.count) {
-      enter(fans.vertex);
-    } else if (!start_crowded<Word>()) {
-      return false;
-    }
+    if (fans.vertex - fans.first < fans.count) return false;  // there was no room
+    enter(fans.vertex);
   }
   end_start(fans.begin, fans.out);
-  return true;
-}
-
-// Starts the edges of a vertex whose fan has more than there is room for; false where those that begin are, too.
-template <typename Word>
-bool MeshWalker::start_crowded() {
-  FanStart& fans = fans_;
-  const std::uintptr_t last = fans.last;
-  std::uintptr_t needed = reinterpret_cast<std::uintptr_t>(fans.out);
-  fans.each_to_start<Word>([&needed](const auto&...) { needed += sizeof(ActiveEdge); });
-  if (needed > last) return false;
-  // That one alone.
-  std::uint16_t& link = buckets_.links()[fans.vertex];
-  const std::uint16_t next = std::exchange(link, VertexBuckets::kEnd);
-  fans.last = UINTPTR_MAX;
-  start_fans(fans, static_cast<const Word*>(fans.words));
-  link = next;
-  fans.last = last;
-  fans.vertex = next;
   return true;
 }
 
@@ -74,7 +52,8 @@ bool MeshWalker::run_again(ActiveEdge& edge, std::int32_t line) {
   const std::uint32_t face = face_of_tall(edge) - 1u;
   cursor_.to_face(face);
   const std::uint16_t* const corner = cursor_.mesh().corners.data() + 3 * (face - cursor_.first_face());
-  return run_tall(edge, line, [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i] + 1]; });
+  const auto point = [&](unsigned i) { return points_[cursor_.first_vertex() + corner[i] + 1]; };
+  return run_tall_again(edge, line, {point(0), point(1), point(2)});
 }
 
 }  // namespace spanline

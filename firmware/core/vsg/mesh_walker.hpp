@@ -45,8 +45,6 @@ class MeshWalker : public EdgeWalker {
 
  private:
   [[gnu::noinline]] void enter(std::uint32_t vertex);
-  template <typename Word>
-  [[gnu::noinline]] bool start_crowded();
   bool run_again(ActiveEdge& edge, std::int32_t line);
 
   FanStart fans_{};      // of the mesh that was reached last

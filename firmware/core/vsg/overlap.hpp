@@ -22,17 +22,8 @@ class OverlapSet {
   }
   // Edges of one column may come in any order: a face may end before it has begun.
   void toggle(const ActiveEdge& edge) {
-    const FaceId ends = edge.ending(), begins = edge.beginning();
-    const unsigned at = find(ends);
-    if (ends == 0 || at == count_) {
-      toggle(ends);
-    } else if (begins != 0 && find(begins) == count_) {
-      faces_[at] = begins;
-      return;
-    } else {
-      faces_[at] = faces_[--count_];
-    }
-    toggle(begins);
+    toggle(edge.ending());
+    toggle(edge.beginning());
   }
 
   unsigned count() const { return count_; }
@@ -62,18 +53,6 @@ class OverlapSet {
   unsigned count_ = 0;
   bool overflow_ = false;
 };
-
-// The one of two faces that is in front all over the columns [left, right); 0: they cross. ramp_of(face) is a face's
-// depth along the line.
-template <typename RampOf>
-inline FaceId nearer_by_ramps(FaceId a, FaceId b, std::int32_t left, std::int32_t right, const RampOf& ramp_of) {
-  const DepthRamp ramp_a = ramp_of(a), ramp_b = ramp_of(b);
-  const DepthRamp lead{ramp_a.at_zero - ramp_b.at_zero, ramp_a.slope - ramp_b.slope};
-  const auto first = [&](std::int32_t column) { return static_cast<std::int32_t>(lead.at(column)) >= (a < b ? 0 : 1); };
-  const bool a_ahead = first(left);
-  if (first(right - 1) != a_ahead) return 0;
-  return a_ahead ? a : b;
-}
 
 // The face of the set that is in front of the others all over the columns [left, right), which every face covers. 0:
 // they cross, and the visible ones have been handed to show(left, right, face, ramp) from left to right. ramp_of(face)
