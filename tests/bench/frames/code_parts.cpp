@@ -19,7 +19,7 @@ struct Rule {
 
 constexpr std::string_view kWalk = "the walk of a line and its pixels";
 constexpr std::string_view kOverlap = "stops where faces overlap, the line's right end";
-constexpr std::string_view kDepth = "depth planes, exact ones of large faces among them";
+constexpr std::string_view kDepth = "planes of depth and of brightness, exact ones of large faces among them";
 constexpr std::string_view kEdges = "edges that begin, tall ones that go on";
 constexpr std::string_view kBrightness = "brightness: looks and tables";
 constexpr std::string_view kPlaces = "matrices, projection, culling, what lies inside the view";
@@ -30,11 +30,10 @@ constexpr std::array kParts = {kWalk, kOverlap, kDepth, kEdges, kBrightness, kPl
 // The first that has a mark of the section's name or of its object file; what none has is the rest.
 const std::array kRules = {
     Rule{kOverlap,
-         {"15resolve_overlap", "12front_of_set", "14gather_overlap", "7cut_off", "10OverlapSet", "6Column",
-          "15DepthComparator"}},
+         {"15resolve_overlap", "12front_of_set", "14gather_overlap", "7cut_off", "10OverlapSet", "15DepthComparator"}},
     Rule{kDepth, {"depth.cpp", "depth_rows.cpp", "gradient.cpp", "rare_div.cpp", "10PlaneCache"}},
     Rule{kEdges, {"fan_start", "mesh_walker.cpp", "active_edge.cpp", "vertex_buckets.cpp", "edge_walker.cpp"}},
-    Rule{kBrightness, {"9make_look", "7turn_to", "5learn", "brightness.cpp", "look_chains.cpp"}},
+    Rule{kBrightness, {"9make_look", "7turn_to", "10learn_look", "3dip", "brightness.cpp", "look_chains.cpp"}},
     Rule{kLight, {"light.cpp", "root.cpp", "11light_faces", "14light_vertices"}},
     Rule{kPlaces,
          {"7compose", "projection.cpp", "clip_matrix.cpp", "mesh_points.cpp", "instance_cursor.cpp", "7project",

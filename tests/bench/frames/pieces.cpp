@@ -35,6 +35,7 @@ constexpr Rule kRules[] = {{"::project(", kVertex},
                            {"DepthRows::plane", kPlane},
                            {"depth_plane(", kPlane},
                            {"::make_look(", kLook},
+                           {"::learn_look(", kLook},
                            {"brightness_plane(", kLook},
                            {"::show_front", kOverlap},
                            {"::go_on", kOverlap},
@@ -50,7 +51,7 @@ constexpr Row kRows[] = {{kVertex, "a vertex projected"},
                          {kEdge, "an edge begun, once for both its faces"},
                          {kPlane, "a face before or behind others: its depth plane"},
                          {kLook, "a smooth face: its brightness plane"},
-                         {kOverlap, "a span of several faces: the nearest found; stops for looks"},
+                         {kOverlap, "a span of several faces: the nearest found"},
                          {kWalk, "an edge on a line: stepped, the span to its left begun"}};
 
 Piece piece_of(const std::string& name, Piece caller) {
