@@ -32,7 +32,12 @@ void make_cell(Random& random, const Vertices& grid) {
     at[i] = {static_cast<std::int16_t>(x + kAcross[from] * random.below(size)),
              static_cast<std::int16_t>(y + kDown[from] * random.below(size))};
     const auto depth = static_cast<std::uint32_t>(z + random.between(-spread, spread));
-    GridVertex::put(&grid[kCell + kPlace[i]], {at[i], depth & 0xffffffu, 0}, GridVertex::InRow(2, i < 2));
+    GridVertex& vertex = grid[kCell + kPlace[i]];
+    vertex = {};
+    vertex.at = at[i];
+    vertex.depth = depth & 0xffffffu;
+    vertex.stride = 2;
+    vertex.first_row = i < 2;
   }
   bool convex = true;
   for (int i = 0; i < 4; ++i) {

@@ -22,6 +22,15 @@ constexpr int kMostEdges = 48;
 GridVertex vertices[kEntries + 2 * kMostSide];
 ActiveEdge fast[kMostEdges + 1], slow[kMostEdges + 1];
 
+GridVertex vertex_of(ScreenXY at, std::uint32_t depth, std::uint32_t stride, bool first_row) {
+  GridVertex v{};
+  v.at = at;
+  v.depth = depth & 0xffffffu;
+  v.stride = stride & 0x7fu;
+  v.first_row = first_row;
+  return v;
+}
+
 // The grids' columns go on from one to the next, whose first is the last one's: joints. Returns their end.
 std::uint32_t make_grids(Random& random) {
   std::memset(static_cast<void*>(vertices), 0, sizeof vertices);
@@ -39,12 +48,11 @@ std::uint32_t make_grids(Random& random) {
   std::uint32_t at = 1;
   for (int grid = 0; grid < kGrids; ++grid) {
     const auto stride = static_cast<std::uint32_t>(side);
-    GridVertex::put(&vertices[at++], {{static_cast<std::int16_t>(side), 0}, kHeader, 0},
-                    GridVertex::InRow(stride, false));
+    vertices[at++] = vertex_of({static_cast<std::int16_t>(side), 0}, kHeader, stride, false);
     for (int row = 0; row < side; ++row) {
       for (int column = 0; column < side; ++column, ++at) {
         GridVertex& v = vertices[at];
-        GridVertex::put(&v, {points[row][column + grid * (side - 1)], 0, 0}, GridVertex::InRow(stride, row == 0));
+        v = vertex_of(points[row][column + grid * (side - 1)], 0, stride, row == 0);
         const bool cell = row != side - 1 && column != side - 1 && random.percent(80);
         const unsigned parts = !cell                   ? 0u
                                : random.percent(apart) ? 4u + static_cast<unsigned>(random.between(1, 3))
@@ -103,18 +111,9 @@ TEST(GridCells, BeginEdgesAsByThePlainLoop) {
   EXPECT_GT(stopped, static_cast<int>(kRounds / 100));
 }
 
-// GridVertex::put() writes what the bit fields read, and what the assembly takes them for.
+// GridVertex::put() writes words with these fields, and the assembly reads them.
 TEST(GridCells, VerticesAreWordsWithTheirFieldsFromTheLowBitUp) {
-  GridVertex v;
-  GridVertex::put(&v, {{-3, 5}, 0x812345, 0}, GridVertex::InRow(0x55, true));
-  EXPECT_EQ(v.depth, 0x812345u);
-  EXPECT_EQ(v.stride, 0x55u);
-  EXPECT_EQ(v.first_row, 1u);
-  EXPECT_EQ(v.at.x, -3);
-  EXPECT_EQ(v.at.y, 5);
-  EXPECT_EQ(v.color, 0u);
-  EXPECT_EQ(v.next, 0u);
-  EXPECT_EQ(v.parts, 0u);
+  GridVertex v = vertex_of({-3, 5}, 0x812345, 0x55, true);
   v.color = 0x1234;
   v.next = 0x0fed;
   v.parts = 5;
@@ -123,6 +122,7 @@ TEST(GridCells, VerticesAreWordsWithTheirFieldsFromTheLowBitUp) {
   EXPECT_EQ(words[0], 5u << 29 | 0x0fedu << 16 | 0x1234u);
   EXPECT_EQ(words[1], 0x0005fffdu);
   EXPECT_EQ(words[2], 1u << 31 | 0x55u << 24 | 0x812345u);
+  EXPECT_EQ(words[2], GridVertex::InRow(0x55, true).word | 0x812345u);
 }
 
 }  // namespace
