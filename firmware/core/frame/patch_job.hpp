@@ -111,7 +111,9 @@ struct PatchJob {
   const PatchLook& look;
   PatchWindow window;
   ClipPatch patch;
-  ScreenXY at[4][4];  // its control points on the screen; kNotProjected before the near plane
+  union {               // not cleared before it is made
+    ScreenXY at[4][4];  // its control points on the screen; kNotProjected before the near plane
+  };
   ScreenBounds bounds;
   bool behind = false;      // some control point lies before the near plane: its bounds say nothing
   bool outside = false;     // some control point lies outside of some plane
