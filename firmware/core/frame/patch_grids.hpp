@@ -31,11 +31,21 @@ struct GridVertex {
     InRow(std::uint32_t of, bool first) : word(of << 24 | (first ? 1u << 31 : 0u)) {}
   };
   // By words, which compilers do not make of bit fields.
+  static void put(GridVertex* to, const ScreenPoint& p, const InRow& row) {
+    put_words(to, PackedXY(p.at).word, p.depth | row.word);
+  }
+  // The same of a point that is to be projected.
   static void put(GridVertex* to, const Projection& projection, const ClipPoint& p, const InRow& row) {
-    std::uint32_t words[3]{};
-    projection.put(p, row.word, words[1], words[2]);
-    auto* const at = static_cast<char*>(__builtin_assume_aligned(to, alignof(GridVertex)));
-    for (int i = 0; i < 3; ++i) __builtin_memcpy(at + 4 * i, &words[i], 4);
+    std::uint32_t at = 0, depth = 0;
+    projection.put(p, row.word, at, depth);
+    put_words(to, at, depth);
+  }
+
+ private:
+  static void put_words(GridVertex* to, std::uint32_t xy, std::uint32_t depth) {
+    const std::uint32_t words[3] = {0, xy, depth};
+    auto* const out = static_cast<char*>(__builtin_assume_aligned(to, alignof(GridVertex)));
+    for (int i = 0; i < 3; ++i) __builtin_memcpy(out + 4 * i, &words[i], 4);
   }
 };
 static_assert(sizeof(GridVertex) == 12 && kMaxSteps + 1 < 1 << 7);
