@@ -170,11 +170,15 @@ std::size_t whole_bytes(const Budget& b) {
          2 * (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
 }
 
+// On any board: three rows of ClipRow make the difference.
+constexpr std::size_t kInstanceBytes = 156;
+
 // What BandPools and SmoothPools take of it whatever its band_vertices and looks are.
 std::size_t band_bytes(const Budget& b) {
   const std::size_t smooth = b.gouraud ? (b.tables + 1u) * sizeof(ColorTable) + LookChains::heads_for(b.facets) : 1;
   return (BitPool::words_for(b.facets) + 1u) * sizeof(std::uint32_t) + (b.vertices + 1u) + (b.band_lines + 1u) +
-         (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
+         (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes +
+         (b.band_instances + 1u) * kInstanceBytes + smooth + kPadding;
 }
 
 }  // namespace
@@ -184,6 +188,7 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
   if (whole_bytes(fitted) <= bytes) return fitted;
   Budget budget = fitted;
   budget.edges = 0;
+  budget.band_instances = scene.record().instances.size() > 1 ? 1 : 0;
   for (std::int64_t number = first; number <= last; ++number) {
     scene.show(number);
     const SceneRecord record = scene.record();
@@ -192,7 +197,10 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
     if (!needed) return std::nullopt;
     raise(budget.edges, needed->max_edges);
   }
-  budget.band_lines = std::min<std::uint16_t>(fitted.height, 64);
+  // A byte a line: not more than a small part of them.
+  constexpr std::uint32_t kFewestLines = 16, kMostLines = 64;
+  const std::uint32_t lines = std::clamp(bytes / 32, kFewestLines, kMostLines);
+  budget.band_lines = static_cast<std::uint16_t>(std::min<std::uint32_t>(fitted.height, lines));
   const std::size_t look = fitted.gouraud ? sizeof(FaceLook) + 1 : sizeof(FaceColor);
   // Planes are made anew where faces pierce others or meet them at edges. They yield to vertices where there are few.
   constexpr std::size_t kMostPlanes = 7;
@@ -246,7 +254,10 @@ std::string emit_budget(const Budget& budget, const std::string& name, const std
     field("patch_grid", budget.patch_grid);
     gouraud();
     text += ",\n    .walker = spanline::Walker::edges,\n";
-    if (budget.band_vertices != 0) field("band_vertices", budget.band_vertices);
+    if (budget.band_vertices != 0) {
+      field("band_vertices", budget.band_vertices);
+      field("band_instances", budget.band_instances);
+    }
     field("looks", budget.looks);
     field("tables", budget.tables);
     text += "    .planes = " + std::to_string(budget.planes);

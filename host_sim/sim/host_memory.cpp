@@ -49,7 +49,8 @@ PoolSizes pools_of(const Budget& budget) {
           .looks = budget.looks != 0 ? budget.looks : default_looks,
           .tables = budget.tables,
           .planes = budget.planes,
-          .band_vertices = budget.band_vertices};
+          .band_vertices = budget.band_vertices,
+          .band_instances = budget.band_instances};
 }
 
 template <typename T>
@@ -96,7 +97,8 @@ void HostMemory::take_mesh_pools(std::uint16_t lines, const PoolSizes& sizes) {
         take<FaceColor>(sizes.gouraud ? kNoBlocks : sizes.looks),
         take<std::uint8_t>(sizes.gouraud ? static_cast<std::uint16_t>(LookChains::heads_for(sizes.facets) - 1)
                                          : kNoBlocks),
-        take<std::uint8_t>(sizes.gouraud ? sizes.looks : kNoBlocks)};
+        take<std::uint8_t>(sizes.gouraud ? sizes.looks : kNoBlocks),
+        take<BandInstance>(sizes.band_instances)};
   }
   EdgeStorage& walker = storage_.mesh.walker;
   walker.points = take<ScreenXY>(sizes.vertices);

@@ -19,7 +19,7 @@ struct PoolSizes {
   std::uint16_t active = 0;           // as Budget has it
   bool gouraud = true;                // likewise
   std::uint16_t looks = 1023, tables = 15, planes = 255;
-  std::uint16_t band_vertices = 0;
+  std::uint16_t band_vertices = 0, band_instances = 1;
   Walker walker = Walker::both;  // whose pools there are
   // What there is no room for has no pools at all, not even a sink, and must not be drawn.
   bool exact = false;
@@ -42,7 +42,7 @@ class HostMemory {
 
   const FrameStorage& storage() const { return storage_; }
 
-  // Of all pools; the blocks hold no pointers, so that they are as large on a board.
+  // Of all pools; the blocks hold no pointers, but for those of instances, so that they are as large on a board.
   std::size_t bytes() const { return bytes_; }
 
  private:

@@ -13,6 +13,7 @@ struct BandMemory {
     std::uint16_t vertices, lines, looks, tables, planes, edges = 2000;
     bool gouraud = true;
     std::uint32_t points = 0;
+    std::uint16_t instances = 1;
   };
 
   BandMemory(const SceneView& view, const Screen& screen, const Sizes& sizes)
@@ -28,13 +29,15 @@ struct BandMemory {
         reaches(PlaneCache::reaches_for(sizes.planes) + 1u),
         looks(sizes.looks + 1u),
         tables(sizes.tables + 1u),
-        points(sizes.points + 1u) {
+        points(sizes.points + 1u),
+        instances(sizes.instances + 1u) {
     storage.screen = screen;
     storage.mesh.walker.edges[0] = ref(edges);
     storage.mesh.walker.planes = ref(planes);
     storage.mesh.walker.reaches = ref(reaches);
     storage.mesh.walker.points = ref(points);
-    storage.bands = {ref(drawn), ref(keys), ref(vertices), ref(buckets), ref(colors), ref(heads), ref(links)};
+    storage.bands = {ref(drawn),  ref(keys),  ref(vertices), ref(buckets),
+                     ref(colors), ref(heads), ref(links),    ref(instances)};
     if (sizes.gouraud) storage.smooth = {ref(looks), ref(tables)};
   }
   template <typename T>
@@ -53,6 +56,7 @@ struct BandMemory {
   std::vector<FaceLook> looks;
   std::vector<ColorTable> tables;
   std::vector<ScreenXY> points;
+  std::vector<BandInstance> instances;
   FrameStorage storage{};
 };
 

@@ -47,7 +47,8 @@ TEST_P(Bands, ShowWhatTheWholeFrameShows) {
                        .tables = mask(2),
                        .planes = mask(4),
                        .gouraud = gouraud,
-                       .points = up_to(static_cast<int>(2 * view.vertex_count()))});
+                       .points = up_to(static_cast<int>(2 * view.vertex_count())),
+                       .instances = up_to(3)});
     const auto cut = static_cast<std::uint16_t>(1 + up_to(2 * scene.screen.height));
     const Decisions bands = draw_by<kBands>(little.storage, view, scene.camera, cut);
     Decisions whole = draw_by<kWhole>(plenty.memory.storage(), view, scene.camera, cut);

@@ -29,10 +29,10 @@ class BandLines {
   struct Sink;
   struct Planes;
 
-  [[gnu::noinline]] Status check() const;
-  [[gnu::noinline]] void clear(std::uint16_t top);
+  [[gnu::noinline]] Status check(const SceneView& scene) const;
+  [[gnu::noinline]] void clear(const SceneView& scene, const CameraRecord& camera, std::uint16_t top);
   void begin_lines(std::uint16_t top);
-  [[gnu::noinline]] bool cull(const InstanceCursor& at);
+  [[gnu::noinline]] bool cull(bool surely);
   bool cull_placed(bool surely);
   bool cull_by_places(bool surely);
   template <typename Place>
@@ -44,7 +44,8 @@ class BandLines {
     return points_[vertex - points_.first_vertex()];
   }
   [[gnu::noinline]] bool start_edges(std::int32_t line);
-  bool start_fans(BandStart& start, std::uint32_t first);
+  [[gnu::noinline]] bool start_fans(BandStart& start, std::uint32_t first);
+  [[gnu::cold, gnu::noinline]] bool start_crowded_line(BandStart& start);
   [[gnu::cold]] bool start_crowded(BandStart& start);
   bool run_again(ActiveEdge& edge, std::int32_t line);
   [[gnu::noinline]] DepthPlane plane(FaceId face);
@@ -55,6 +56,7 @@ class BandLines {
     return kept != nullptr ? kept->at : points_[vertex];
   }
 
+  const Screen& screen() const { return walker_.screen(); }
   Paint paint() const { return kPaint == Paint::any ? found_ : kPaint; }
   // What faces look like: of what the lines are painted with only that is there.
   struct Looks {
@@ -66,7 +68,13 @@ class BandLines {
   struct NoLooks {
     static constexpr bool on() { return false; }
   };
-  static constexpr bool kSmooths = kPaint != Paint::flat_words;
+  struct NoColors {
+    NoColors(PoolRef<FaceColor>, FaceColors::Learn, void*) {}
+    void clear() {}
+    void put(FaceId, std::uint16_t) {}
+    std::uint16_t operator[](FaceId) const { return 0; }
+  };
+  static constexpr bool kSmooths = kPaint != Paint::flat_words, kFlats = kPaint != Paint::smooth_words;
   bool smooth() const { return kPaint == Paint::any ? looks_.on() : kSmooths; }
   void begin_line(std::uint16_t line, std::uint16_t background) {
     if constexpr (kSmooths) {
@@ -85,7 +93,7 @@ class BandLines {
   // Templates, so that a frame without looks does not have them.
   template <typename AnyLooks>
   const std::uint16_t* colors_of(AnyLooks& looks, std::uint16_t material) {
-    return looks.cache.template colors<kPlain>(material, scene_.scene());
+    return looks.cache.template colors<kPlain>(material, points_.scene());
   }
   // For the brush.
   template <typename AnyLooks>
@@ -100,19 +108,15 @@ class BandLines {
   [[gnu::noinline]] void turn_to(FaceId face);
   // As the instance of `points_` sees them.
   using Lights = std::conditional_t<kPlain, PlainLight, LightRig>;
-  const Lights& lights() { return lights_.of(scene_.scene(), points_.index(), points_.instance().transform); }
+  const Lights& lights() { return lights_.of(points_.scene(), points_.index(), points_.instance().transform); }
   bool give_up(bool overlaps);
 
-  SceneView scene_;
-  CameraRecord camera_{};
-  Screen screen_;
   InstancePoints points_;
   BandVertices vertices_;
   PoolRef<ScreenXY> culled_;  // of a mesh, while its faces are culled
   BitPool drawn_;             // faces that are seen from their fronts
-  FaceColors colors_;
+  [[no_unique_address]] std::conditional_t<kFlats, FaceColors, NoColors> colors_;
   [[no_unique_address]] std::conditional_t<kSmooths, Looks, NoLooks> looks_;
-  DepthRows rows_;
   Kept<Lights> lights_;
   // The group of a face that was lit last.
   struct {

@@ -66,15 +66,15 @@ struct BandLines<kTaps, kPaint, kPlain>::Planes {
   BandLines& mesh;
 
   DepthPlane operator()(FaceId face) const { return mesh.plane(face); }
-  FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.rows_.nearest(set, cache); }
+  FaceId nearest(const OverlapSet& set, PlaneCache& cache) const { return mesh.points_.nearest(set, cache); }
   FaceId nearer(FaceId a, FaceId b, std::int32_t, std::int32_t, PlaneCache& cache) const {
-    return mesh.rows_.nearer(a, b, cache);
+    return mesh.points_.nearer(a, b, cache);
   }
 };
 
 template <bool kTaps, Paint kPaint, bool kPlain>
 BandLines<kTaps, kPaint, kPlain>::BandLines(const FrameStorage& storage)
-    : screen_(storage.screen),
+    : points_(storage.bands.instances),
       vertices_(storage.bands.vertices, storage.bands.keys, storage.bands.buckets),
       culled_(storage.mesh.walker.points),
       drawn_(storage.bands.drawn),
@@ -93,16 +93,16 @@ template <bool kTaps, Paint kPaint, bool kPlain>
 template <typename Changes>
 Status BandLines<kTaps, kPaint, kPlain>::begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top,
                                                Changes& changes) {
-  if (ready_ && changes.still() && top != 0 && top == line_ && &scene.scene() == &scene_.scene() && camera == camera_)
+  if (ready_ && changes.still() && top != 0 && top == line_ && &scene.scene() == &points_.scene() &&
+      camera == points_.camera())
     return {};
   ready_ = false;
-  scene_ = scene;
-  camera_ = camera;
-  if (const Status status = check(); !status.ok()) return status;
-  clear(top);
-  for (InstanceCursor at(scene_.scene()); !at.at_end(); at.next()) {
+  if (const Status status = check(scene); !status.ok()) return status;
+  clear(scene, camera, top);
+  for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
     if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;
-    if (!cull(at)) return beyond_view(at.index());
+    bool surely;
+    if (!points_.enter(at, surely) || !cull(surely)) return beyond_view(at.index());
     if constexpr (kPlain) {
       if (!lights().fits() || (!smooth() && at.mesh().face_normals.empty())) {
         return bad_argument("plain", "transform or normals", 0, at.index());
@@ -117,38 +117,37 @@ Status BandLines<kTaps, kPaint, kPlain>::begin(const SceneView& scene, const Cam
 
 // What the edge walker cannot draw, or not with the pools it has.
 template <bool kTaps, Paint kPaint, bool kPlain>
-Status BandLines<kTaps, kPaint, kPlain>::check() const {
-  if (kPaint != Paint::any && screen_.format != PixelFormat::rgb565) return bad_argument("screen", "format");
+Status BandLines<kTaps, kPaint, kPlain>::check(const SceneView& scene) const {
+  if (kPaint != Paint::any && screen().format != PixelFormat::rgb565) return bad_argument("screen", "format");
   if (smooth() && !looks_.on()) return pool_exhausted("looks", 0, 1, 0);
-  if (scene_.vertex_count() > vertices_.capacity()) {
-    return pool_exhausted("vertices", 0, scene_.vertex_count(), vertices_.capacity());
+  if (scene.vertex_count() > vertices_.capacity()) {
+    return pool_exhausted("vertices", 0, scene.vertex_count(), vertices_.capacity());
   }
   std::uint32_t faces = drawn_.capacity();
   if constexpr (kSmooths) {
     if (smooth() && looks_.chains.most_faces() < faces) faces = looks_.chains.most_faces();
   }
-  if (scene_.face_count() > faces) return pool_exhausted("facets", 0, scene_.face_count(), faces);
+  if (scene.face_count() > faces) return pool_exhausted("facets", 0, scene.face_count(), faces);
   if (walker_.edge_capacity() == 0) return pool_exhausted("edges", 0, 1, 0);
   if constexpr (kPlain) {
-    const char* const other = scene_.not_plain(smooth());
+    const char* const other = scene.not_plain(smooth());
     return other == nullptr ? Status{} : bad_argument("plain", other);
   } else {
     if (smooth()) {
-      if (const Status status = check_smooth(scene_.scene()); !status.ok()) return status;
+      if (const Status status = check_smooth(scene.scene()); !status.ok()) return status;
     }
-    return check_meshes(scene_);
+    return check_meshes(scene);
   }
 }
 
 // Forgets the frame before. What may lie over points that are culled is that until begin_lines().
 template <bool kTaps, Paint kPaint, bool kPlain>
-void BandLines<kTaps, kPaint, kPlain>::clear(std::uint16_t top) {
+void BandLines<kTaps, kPaint, kPlain>::clear(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
   lights_.forget();
   at_hand_ = {};
-  new (&points_) InstancePoints(scene_.scene(), camera_, screen_);
-  rows_.begin(scene_.scene(), camera_, screen_, 0);
-  drawn_.clear(scene_.face_count());
-  vertices_.begin(scene_.vertex_count(), top, screen_.height);
+  points_.begin(scene.scene(), camera, screen());
+  drawn_.clear(scene.face_count());
+  vertices_.begin(scene.vertex_count(), top, screen().height);
   bands_ = 0;
 }
 
@@ -170,13 +169,11 @@ void BandLines<kTaps, kPaint, kPlain>::begin_lines(std::uint16_t top) {
   plan(top);
 }
 
-// Notes the faces of an instance that are seen from their fronts, and their vertices. False where a vertex lies out of
-// the view, or fronts have become backs.
+// Notes the faces of the instance at hand that are seen from their fronts, and their vertices. False where a vertex
+// lies out of the view; `surely`: none does.
 template <bool kTaps, Paint kPaint, bool kPlain>
-bool BandLines<kTaps, kPaint, kPlain>::cull(const InstanceCursor& at) {
-  bool surely;
-  if (!points_.enter(at, rows_, surely)) return false;
-  return at.mesh().positions.size() <= culled_.capacity() ? cull_placed(surely) : cull_by_places(surely);
+bool BandLines<kTaps, kPaint, kPlain>::cull(bool surely) {
+  return points_.mesh().positions.size() <= culled_.capacity() ? cull_placed(surely) : cull_by_places(surely);
 }
 
 template <bool kTaps, Paint kPaint, bool kPlain>
@@ -243,18 +240,21 @@ bool BandLines<kTaps, kPaint, kPlain>::start_edges(std::int32_t line) {
   BandStart start;
   start.line = line;
   walker_.begin_start(start);
-  if (!crowded_) {
-    if (!start_fans(start, vertices_.first_of(line))) return false;
-  } else {
-    const std::uint32_t end = vertices_.last();
-    for (std::uint32_t vertex = vertices_.first(); (vertex = vertices_.next_to_reach(vertex, line)) != end; ++vertex) {
-      const ScreenXY at = project(vertex);
-      if (vertices_.first_line(at) != line) continue;
-      vertices_.reach(vertex);
-      if (!start_fans(start, vertices_.alone(vertex, at))) return false;
-    }
-  }
+  if (!(crowded_ ? start_crowded_line(start) : start_fans(start, vertices_.first_of(line)))) return false;
   walker_.end_start(start);
+  return true;
+}
+
+template <bool kTaps, Paint kPaint, bool kPlain>
+bool BandLines<kTaps, kPaint, kPlain>::start_crowded_line(BandStart& start) {
+  const std::uint32_t end = vertices_.last();
+  for (std::uint32_t vertex = vertices_.first(); (vertex = vertices_.next_to_reach(vertex, start.line)) != end;
+       ++vertex) {
+    const ScreenXY at = project(vertex);
+    if (vertices_.first_line(at) != start.line) continue;
+    vertices_.reach(vertex);
+    if (!start_fans(start, vertices_.alone(vertex, at))) return false;
+  }
   return true;
 }
 
@@ -316,7 +316,7 @@ template <bool kTaps, Paint kPaint, bool kPlain>
 DepthPlane BandLines<kTaps, kPaint, kPlain>::plane(FaceId face) {
   ScreenXY at[3];
   corners(face, at);
-  return rows_.plane(face - 1u, at);
+  return points_.plane(face - 1u, at, screen());
 }
 
 // On the screen; the face's instance becomes that of `points_`.
@@ -336,12 +336,12 @@ void BandLines<kTaps, kPaint, kPlain>::turn_to(FaceId face) {
   const FaceGroup* group = mesh.groups.data();
   while (face - before - group->first_face >= group->face_count) ++group;
   const std::uint16_t number = material_of(points_.instance(), *group);
-  const MaterialRecord& material = scene_.scene().materials[number];
+  const MaterialRecord& material = points_.scene().materials[number];
   const Lights& rig = lights();
   const bool smooth_ones = smooth() && (kPlain || material.shading == MaterialRecord::kGouraud);
   const bool quick = smooth_ones ? rig.single()
                                  : material.shading != MaterialRecord::kUnlit && rig.quick() &&
-                                       !mesh.face_normals.empty() && (kPlain || screen_.format == PixelFormat::rgb565);
+                                       !mesh.face_normals.empty() && (kPlain || screen().format == PixelFormat::rgb565);
   at_hand_ = {before,
               before + group->first_face,
               group->face_count,
@@ -369,7 +369,7 @@ std::uint16_t BandLines<kTaps, kPaint, kPlain>::flat_color(FaceId face) {
     const Rgb8 color = material.shading == MaterialRecord::kUnlit
                            ? material.color
                            : facet_color(mesh, number, mesh.corners[3 * number], material, lights(), false);
-    return flat_payload(screen_.format, color);
+    return flat_payload(screen().format, color);
   }
 }
 
@@ -446,7 +446,7 @@ bool BandLines<kTaps, kPaint, kPlain>::next(std::uint16_t line, Painter& painter
   CHECK(ready_ && line == line_);
   if (line == end_) plan(line);
   if (!kTaps && walker_.none_alive() && !crowded_ && vertices_.is_empty(line)) {
-    painter.fill(0, screen_.width, painter.background());
+    painter.fill(0, screen().width, painter.background());
     ++line_;
     return true;
   }

@@ -49,6 +49,9 @@ struct Budget {
   // run of lines that reach no more of them, or of band_lines, a byte each. Of every face then only a bit is kept
   // (`facets`), of every vertex a byte (`vertices`); 0: everything is kept.
   std::uint16_t band_vertices = 0;
+  // Likewise instances whose matrices are kept, 120 bytes each (160 on an M0+), and one more is there: where faces of
+  // several overlap on the screen these come by turns.
+  std::uint16_t band_instances = 1;
   // Where gouraud: looks of smooth triangles kept, 16 bytes each, and tables of their materials' colours, 130 bytes
   // each. Powers of two less one, since one more of each is there; of looks the edge walker takes any number up to 254.
   // looks 0: 15 for the segment walker, 127 for the others. With band_vertices

@@ -1,59 +1,92 @@
 #pragma once
 
-#include "core/frame/depth_rows.hpp"
+#include "core/base/pool.hpp"
+#include "core/frame/depth_reaches.hpp"
 #include "core/geom/mesh_points.hpp"
 #include "core/scene/instance_cursor.hpp"
 
 namespace spanline {
 
-// One instance of a scene of triangle meshes, and where its vertices lie on the screen: none is kept, each is projected
-// when it is asked for. It is the instance that was asked for last.
-class InstancePoints {
+// What is kept of an instance whose vertices are projected, and whose faces' depths are asked for, one by one.
+struct BandInstance {
+  InstanceCursor cursor;
+  MeshPoints points;
+  RoughRow rough;                         // that leads to w
+  std::uint32_t faces = 0, vertices = 0;  // how many it has; 0: it is not made
+
+  const std::uint16_t* corners_of(std::uint32_t face) const {
+    return cursor.mesh().corners.data() + 3 * (face - cursor.first_face());
+  }
+  const Position* positions() const { return points.positions; }
+};
+
+// The instances of a scene of triangle meshes, and where their vertices lie on the screen: none is kept, each is
+// projected when it is asked for. Matrices are kept of the instances that were asked for last; the very last is the
+// one at hand.
+class InstancePoints : public DepthReaches<InstancePoints> {
  public:
   InstancePoints() = default;
-  // The camera must stay where it is.
-  InstancePoints(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen)
-      : cursor_(scene), camera_(&camera), points_(camera, screen) {}
+  // The pool's sink is used, too.
+  explicit InstancePoints(PoolRef<BandInstance> kept) : kept_(kept), at_(kept.sink()) {}
 
-  // Goes to the instance at a cursor, whose matrix `rows` hold. False where it cannot be drawn: fronts become backs, or
-  // positions do not fit. `surely`: no vertex is outside().
-  bool enter(const InstanceCursor& at, DepthRows& rows, bool& surely);
+  // Begins a frame: none is known.
+  void begin(const SceneRecord& scene, const CameraRecord& camera, const Screen& screen);
+  const SceneRecord& scene() const { return at_->cursor.scene(); }
+  const CameraRecord& camera() const { return camera_; }
+
+  // Goes to the instance at a cursor. To be said of all that are drawn before depths are asked for. False where it
+  // cannot be drawn: fronts become backs, or positions do not fit. `surely`: no vertex is outside().
+  bool enter(const InstanceCursor& at, bool& surely);
   // Goes to the instance of a face or vertex, by its number in the scene.
   void to_face(std::uint32_t face) {
-    if (face - first_face() < faces_) return;
-    cursor_.to_face(face);
-    enter();
+    if (face - first_face() >= at_->faces) [[unlikely]]
+      find_face(face);
   }
   void to_vertex(std::uint32_t vertex) {
-    if (vertex - first_vertex() < vertices_) return;
-    cursor_.to_vertex(vertex);
-    enter();
+    if (vertex - first_vertex() >= at_->vertices) [[unlikely]]
+      find_vertex(vertex);
   }
 
   // Of the instance that is at hand.
-  std::uint32_t index() const { return cursor_.index(); }
-  const InstanceRecord& instance() const { return cursor_.instance(); }
-  const MeshRecord& mesh() const { return cursor_.mesh(); }
-  std::uint32_t first_face() const { return cursor_.first_face(); }
-  std::uint32_t first_vertex() const { return cursor_.first_vertex(); }
+  std::uint32_t index() const { return at_->cursor.index(); }
+  const InstanceRecord& instance() const { return at_->cursor.instance(); }
+  const MeshRecord& mesh() const { return at_->cursor.mesh(); }
+  std::uint32_t first_face() const { return at_->cursor.first_face(); }
+  std::uint32_t first_vertex() const { return at_->cursor.first_vertex(); }
 
   // By its number in the mesh: whether a vertex is not well inside the view; where it lies on the screen.
   bool outside(std::uint32_t vertex) const {
-    return !points_.projection.well_inside(points_.to_clip(points_.positions[vertex]));
+    const MeshPoints& points = at_->points;
+    return !points.projection.well_inside(points.to_clip(points.positions[vertex]));
   }
-  ScreenXY operator[](std::uint32_t vertex) { return points_[vertex]; }
-  MeshPoints& points() { return points_; }
+  ScreenXY operator[](std::uint32_t vertex) { return at_->points[vertex]; }
+  MeshPoints& points() { return at_->points; }
   // Of all the vertices of the mesh: whether none is outside(); where they lie, one after another.
-  bool all_inside() const { return points_.projection.well_inside(mesh().positions, points_.to_clip); }
-  void place_all(ScreenXY* at) const { points_.projection.place(mesh().positions, points_.to_clip, at); }
+  bool all_inside() const { return at_->points.projection.well_inside(mesh().positions, at_->points.to_clip); }
+  void place_all(ScreenXY* at) const { at_->points.projection.place(mesh().positions, at_->points.to_clip, at); }
+  // The depth plane of a face of the scene, which becomes that at hand; its corners on the screen.
+  DepthPlane plane(std::uint32_t face, const ScreenXY (&corners)[3], const Screen& screen);
 
  private:
-  ClipMatrix enter();
+  friend class DepthReaches<InstancePoints>;
+  const BandInstance& instance_of(std::uint32_t face) {
+    to_face(face);
+    return *at_;
+  }
+  [[gnu::noinline]] void find_face(std::uint32_t face);
+  [[gnu::noinline]] void find_vertex(std::uint32_t vertex);
+  template <typename Holds>
+  bool turn_back(const Holds& holds);
+  void to_next();
+  void forget();
+  void hold(const ClipMatrix& matrix);
+  bool make();
 
-  InstanceCursor cursor_;
-  const CameraRecord* camera_ = nullptr;
-  MeshPoints points_;
-  std::uint32_t faces_ = 0, vertices_ = 0;
+  PoolRef<BandInstance> kept_;
+  BandInstance* at_ = nullptr;
+  CameraRecord camera_{};
+  std::int32_t farthest_ = 0;  // w of any position there might be, Q16.16
+  int up_ = 0;                 // of the rough rows
 };
 
 }  // namespace spanline

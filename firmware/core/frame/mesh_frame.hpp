@@ -32,8 +32,7 @@ class MeshFrame {
 
  public:
   constexpr explicit MeshFrame(const FrameStorage& storage)
-      : screen_(storage.screen),
-        mesh_(storage),
+      : mesh_(storage),
         painter_(storage.screen),
         curves_(storage.curves, storage.screen),
         changes_(storage.changes, storage.screen) {}
@@ -52,7 +51,7 @@ class MeshFrame {
     if constexpr (kOptions.statistics) mesh_.count(s);
     return s;
   }
-  void set_tap(const SpanTap& tap) { tap_ = tap; }
+  void set_tap(const SpanTap& tap) requires(kOptions.taps) { tap_ = tap; }
 
  private:
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
@@ -62,6 +61,16 @@ class MeshFrame {
       return mesh_.begin(scene, camera, top);
     }
   }
+  const SpanTap& tap() const {
+    static constexpr SpanTap kNone{};
+    if constexpr (kOptions.taps) {
+      return tap_;
+    } else {
+      return kNone;
+    }
+  }
+  // Apart, likewise.
+  [[gnu::noinline]] bool refuses(const CameraRecord& camera, Band rest);
   [[gnu::noinline]] bool end(const Status& status);
   // Apart, so that a line that comes out well has no room for a Status on its stack.
   [[gnu::noinline]] bool refuse(Slice<std::uint8_t> out) { return end(line_refused(out, line_bytes(), band_.top)); }
@@ -72,11 +81,12 @@ class MeshFrame {
     return !status.ok();
   }
 
-  Screen screen_;
+  struct NoTap {};
+
   LinesOf<kOptions> mesh_;
   Painter painter_;
   [[no_unique_address]] std::conditional_t<kOptions.plain, NoCurveLayer, CurveLayer> curves_;
-  [[no_unique_address]] SpanTap tap_;
+  [[no_unique_address]] std::conditional_t<kOptions.taps, SpanTap, NoTap> tap_;
   Status status_;
   Band band_;
   [[no_unique_address]] std::conditional_t<kOptions.changes, ChangedLines, AllLines> changes_;

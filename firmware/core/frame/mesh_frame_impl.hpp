@@ -12,7 +12,7 @@ template <FrameOptions kOptions>
 Band MeshFrame<kOptions>::prepare(const SceneView& scene, const CameraRecord& camera, Band rest) {
   if (rest.top == 0) status_ = {};
   band_ = {};
-  if (note(check_band(rest, screen_)) || note(check_camera(camera))) return band_;
+  if (refuses(camera, rest)) return band_;
   if (rest.top == 0) changes_.begin_frame(scene, camera);
   rest = changes_.next(rest);
   if (rest.empty()) return rest;
@@ -27,6 +27,11 @@ Band MeshFrame<kOptions>::prepare(const SceneView& scene, const CameraRecord& ca
 }
 
 template <FrameOptions kOptions>
+bool MeshFrame<kOptions>::refuses(const CameraRecord& camera, Band rest) {
+  return note(check_band(rest, painter_.screen())) || note(check_camera(camera));
+}
+
+template <FrameOptions kOptions>
 bool MeshFrame<kOptions>::next_line(Slice<std::uint8_t> out) {
   if (band_.empty()) return false;
   if (!takes_line(out, line_bytes())) return refuse(out);
@@ -35,7 +40,7 @@ bool MeshFrame<kOptions>::next_line(Slice<std::uint8_t> out) {
   } else {
     painter_.begin_line(band_.top, out.data());
   }
-  if (!mesh_.next(band_.top, painter_, tap_)) return fall_short();
+  if (!mesh_.next(band_.top, painter_, tap())) return fall_short();
   if constexpr (!kOptions.plain) {
     if (const Status& drawn = curves_.draw(band_.top, painter_); !drawn.ok()) note(drawn);
   }

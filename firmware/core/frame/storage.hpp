@@ -7,6 +7,7 @@
 #include "core/frame/budget.hpp"
 #include "core/frame/changed_lines.hpp"
 #include "core/frame/curve_overlay.hpp"
+#include "core/frame/instance_points.hpp"
 #include "core/frame/patch_grids.hpp"
 #include "core/frame/patch_source.hpp"
 #include "core/frame/point_source.hpp"
@@ -44,6 +45,7 @@ struct BandStorage {
   PoolRef<FaceColor> colors;      // where all faces are flat
   PoolRef<std::uint8_t> heads;    // else LookChains'
   PoolRef<std::uint8_t> links;
+  PoolRef<BandInstance> instances;  // asked for last; the sink is used, too
 };
 
 // A FrameMemory with its sizes erased. Limit any pool before handing it to a Frame; the picture stays the same as long
@@ -248,7 +250,7 @@ class BandPools {
     storage.mesh.walker.planes = of.planes.ref();
     storage.mesh.walker.reaches = of.reaches.ref();
     storage.bands = {drawn_.ref(),    keys_.ref(),    of.vertices.ref(), of.buckets.ref(),
-                     of.colors.ref(), of.heads.ref(), of.links.ref()};
+                     of.colors.ref(), of.heads.ref(), of.links.ref(),    instances_.ref()};
     if constexpr (kBudget.gouraud) storage.smooth.looks = of.looks.ref();
   }
 
@@ -275,6 +277,7 @@ class BandPools {
 
   Pool<std::uint32_t, BitPool::words_for(kBudget.facets)> drawn_;
   Pool<std::uint8_t, kBudget.vertices> keys_;
+  Pool<BandInstance, kBudget.band_instances> instances_;
   Shared shared_;
 };
 

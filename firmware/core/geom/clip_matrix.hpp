@@ -184,6 +184,7 @@ class ClipRows {
   ClipRows() = default;
   explicit ClipRows(const ClipMatrix& matrix);
   ClipPoint operator()(const Position& p) const { return at(rows_, p); }
+  const ClipRow& ahead() const { return rows_[2]; }  // that leads to w
 
  private:
   ClipRow rows_[3];

@@ -22,6 +22,7 @@ class InstanceCursor {
   bool at_end() const { return index_ == scene_->instances.size(); }
   void next();
 
+  const SceneRecord& scene() const { return *scene_; }
   std::uint32_t index() const { return index_; }
   std::uint32_t first_vertex() const { return first_vertex_; }  // of the current instance, over the scene
   std::uint32_t first_face() const { return first_face_; }

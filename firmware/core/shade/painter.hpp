@@ -18,6 +18,7 @@ class Painter {
   constexpr explicit Painter(const Screen& screen)
       : screen_(screen), line_bytes_(bytes_per_line(screen.format, screen.width)) {}
 
+  const Screen& screen() const { return screen_; }
   // Bytes that begin_line() needs.
   std::uint32_t line_bytes() const { return line_bytes_; }
 

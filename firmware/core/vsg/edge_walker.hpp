@@ -84,6 +84,7 @@ class EdgeWalker {
 
   std::uint32_t most_edges() const { return most_; }  // that a line of the frame needed room for, so far
   std::uint32_t edge_capacity() const { return capacity_; }
+  const Screen& screen() const { return screen_; }
 
  protected:
   void end_start(ActiveEdge* first, ActiveEdge* out);
