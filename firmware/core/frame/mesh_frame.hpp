@@ -51,7 +51,9 @@ class MeshFrame {
     if constexpr (kOptions.statistics) mesh_.count(s);
     return s;
   }
-  void set_tap(const SpanTap& tap) requires(kOptions.taps) { tap_ = tap; }
+  void set_tap(const SpanTap& tap) {
+    if constexpr (kOptions.taps) tap_ = tap;
+  }
 
  private:
   Status begin(const SceneView& scene, const CameraRecord& camera, std::uint16_t top) {
