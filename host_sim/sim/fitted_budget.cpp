@@ -161,15 +161,6 @@ namespace {
 
 constexpr std::size_t kPlaneBytes = sizeof(CachedPlane) + PlaneCache::kReachesPerPlane * sizeof(DepthReach);
 
-// What MeshPools and SmoothPools take of it, with their sinks.
-std::size_t whole_bytes(const Budget& b) {
-  const std::size_t vertex = sizeof(ScreenXY) + sizeof(std::uint16_t) + (b.gouraud ? sizeof(Brightness) : 0);
-  const std::size_t face = b.gouraud ? sizeof(std::uint8_t) : sizeof(std::uint16_t);
-  const std::size_t smooth = b.gouraud ? (b.looks + 1u) * sizeof(FaceLook) + (b.tables + 1u) * sizeof(ColorTable) : 0;
-  return (b.vertices + 1u) * vertex + (b.facets + 1u) * face + (b.height + 1u) * sizeof(std::uint16_t) +
-         2 * (b.edges + 1u) * sizeof(ActiveEdge) + (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
-}
-
 // On any board: three rows of ClipRow make the difference.
 constexpr std::size_t kInstanceBytes = 156;
 
@@ -182,6 +173,16 @@ std::size_t band_bytes(const Budget& b) {
 }
 
 }  // namespace
+
+std::uint32_t whole_bytes(const Budget& b) {
+  const std::size_t vertex = sizeof(ScreenXY) + sizeof(std::uint16_t) + (b.gouraud ? sizeof(Brightness) : 0);
+  const std::size_t face = b.gouraud ? sizeof(std::uint8_t) : sizeof(std::uint16_t);
+  const std::size_t smooth = b.gouraud ? (b.looks + 1u) * sizeof(FaceLook) + (b.tables + 1u) * sizeof(ColorTable) : 0;
+  const std::size_t bytes = (b.vertices + 1u) * vertex + (b.facets + 1u) * face +
+                            (b.height + 1u) * sizeof(std::uint16_t) + 2 * (b.edges + 1u) * sizeof(ActiveEdge) +
+                            (b.planes + 1u) * kPlaneBytes + smooth + kPadding;
+  return static_cast<std::uint32_t>(bytes);
+}
 
 std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, std::int64_t last, const Budget& fitted,
                                     std::uint32_t bytes) {
@@ -219,7 +220,8 @@ std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, st
     const std::size_t most_looks = left * (fitted.gouraud ? 7 : 4) / 8 / look;
     looks = fitted.gouraud ? std::clamp<std::size_t>(most_looks, 2, budget.edges / 2u + 2)
                            : std::bit_floor(std::clamp<std::size_t>(most_looks, 1, 256));
-    vertices = std::min<std::size_t>((left - looks * look) / sizeof(BandVertex), BandVertices::kMost);
+    vertices =
+        std::min<std::size_t>({(left - looks * look) / sizeof(BandVertex), fitted.vertices, BandVertices::kMost});
     if (vertices >= budget.edges * 2u / 3 || planes == 0) break;
   }
   budget.looks = static_cast<std::uint16_t>(looks - 1);

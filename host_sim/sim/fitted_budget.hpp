@@ -19,6 +19,9 @@ Budget fitted_budget(CompiledScene& scene, std::int64_t first, std::int64_t last
 // The same for the edge walker alone, or nothing where it cannot draw one of the frames.
 std::optional<Budget> fitted_edge_budget(CompiledScene& scene, std::int64_t first, std::int64_t last);
 
+// Bytes of the pools of a budget for meshes by the edge walker in one band, with their sinks.
+std::uint32_t whole_bytes(const Budget& b);
+
 // What of the fitted edge budget has to shrink so that its pools take `bytes` at most (Budget::band_vertices): the
 // budget itself where it does already; nothing where not even the frame's edges have room.
 std::optional<Budget> shrunk_budget(CompiledScene& scene, std::int64_t first, std::int64_t last, const Budget& fitted,

@@ -31,6 +31,13 @@ struct BandLines<kTaps, kPaint, kPlain>::Sink {
     if constexpr (kTaps) report_alone(left, right, face);
     paint(left, right, face);
   }
+  void rest(std::int32_t left) const {
+    if (!kTaps && mesh.paint() != Paint::any) {
+      fill_exactly(painter.out(), left, mesh.screen().width, painter.background());
+    } else if (left < mesh.screen().width) {
+      one(left, mesh.screen().width, 0);
+    }
+  }
   void front(std::int32_t left, std::int32_t right, FaceId face, const DepthRamp& ramp) const {
     if constexpr (kTaps) report(left, right, face, ramp);
     paint(left, right, face);
@@ -99,13 +106,12 @@ Status BandLines<kTaps, kPaint, kPlain>::begin(const SceneView& scene, const Cam
   ready_ = false;
   if (const Status status = check(scene); !status.ok()) return status;
   clear(scene, camera, top);
-  for (InstanceCursor at(scene.scene()); !at.at_end(); at.next()) {
-    if ((at.instance().flags & InstanceRecord::kHidden) != 0) continue;
+  for (bool first = true; points_.to_drawn(first); first = false) {
     bool surely;
-    if (!points_.enter(at, surely) || !cull(surely)) return beyond_view(at.index());
+    if (!points_.enter(surely) || !cull(surely)) return beyond_view(points_.index());
     if constexpr (kPlain) {
-      if (!lights().fits() || (!smooth() && at.mesh().face_normals.empty())) {
-        return bad_argument("plain", "transform or normals", 0, at.index());
+      if (!lights().fits() || (!smooth() && points_.mesh().face_normals.empty())) {
+        return bad_argument("plain", "transform or normals", 0, points_.index());
       }
     }
   }

@@ -38,8 +38,8 @@ bool InstancePoints::make() {
   const ClipMatrix matrix = compose(camera_, at_->cursor.instance().transform, mesh);
   if (!matrix.fits()) return false;
   hold(matrix);
-  new (&at_->points.to_clip) ClipRows(matrix);  // in its place, not copied there
-  at_->rough = RoughRow(matrix, 2, up_);
+  new (&at_->points.to_clip) ClipRows(matrix);  // in their places, not copied there
+  new (&at_->rough) RoughRow(matrix, 2, up_);
   at_->points.positions = mesh.positions.data();
   at_->faces = mesh.face_count;
   at_->vertices = mesh.positions.size();
@@ -51,10 +51,19 @@ void InstancePoints::to_next() {
   at_->faces = at_->vertices = 0;
 }
 
-bool InstancePoints::enter(const InstanceCursor& at, bool& surely) {
+// The cursor is not the caller's, whose stack is under all that is made.
+bool InstancePoints::to_drawn(bool first) {
+  InstanceCursor at = at_->cursor;
+  if (!first) at.next();
+  while (!at.at_end() && (at.instance().flags & InstanceRecord::kHidden) != 0) at.next();
+  if (at.at_end()) return false;
   to_next();
   at_->cursor = at;
-  if (is_mirrored(at.instance().transform) || !make()) return false;
+  return true;
+}
+
+bool InstancePoints::enter(bool& surely) {
+  if (is_mirrored(instance().transform) || !make()) return false;
   surely = at_->points.projection.well_inside(mesh().box, at_->points.to_clip);
   return true;
 }

@@ -34,9 +34,11 @@ class InstancePoints : public DepthReaches<InstancePoints> {
   const SceneRecord& scene() const { return at_->cursor.scene(); }
   const CameraRecord& camera() const { return camera_; }
 
-  // Goes to the instance at a cursor. To be said of all that are drawn before depths are asked for. False where it
-  // cannot be drawn: fronts become backs, or positions do not fit. `surely`: no vertex is outside().
-  bool enter(const InstanceCursor& at, bool& surely);
+  // Goes to the first instance of the scene that is drawn, or the next one after that at hand; false: there is none.
+  bool to_drawn(bool first);
+  // Makes that one. To be said of all that are drawn before depths are asked for. False where it cannot be drawn:
+  // fronts become backs, or positions do not fit. `surely`: no vertex is outside().
+  bool enter(bool& surely);
   // Goes to the instance of a face or vertex, by its number in the scene.
   void to_face(std::uint32_t face) {
     if (face - first_face() >= at_->faces) [[unlikely]]

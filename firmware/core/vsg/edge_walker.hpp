@@ -51,12 +51,12 @@ class EdgeWalker {
   // The visible spans of the line. sink.start(LineWalk&) sets its pixels, begins it and
   // goes on as sink.run(LineWalk&, FaceId), which is walk_on() with a paint of its own; where it may stop at a look,
   // sink.learn(FaceId) sees to it that it does not again. sink.one(left, right, FaceId) takes the spans at the line's
-  // right end, sink.front(left, right, FaceId, ramp) those where others are behind. plane(FaceId) makes a face's depth
-  // plane. Steps the edges. False where more faces cover a pixel than the overlap set holds: from there on spans of
-  // several faces are left out. again(ActiveEdge&, line) begins a tall edge again; false where it has ended, and for
-  // every other edge. plane.nearest(const OverlapSet&, PlaneCache&) is the face that is nearer than every other one
-  // wherever both are, or 0 where that takes planes; plane.nearer(FaceId, FaceId, left, right, PlaneCache&) likewise of
-  // two, over these columns.
+  // right end, sink.rest(left), if there is one, those where nothing covers it; sink.front(left, right, FaceId, ramp)
+  // those where others are behind. plane(FaceId) makes a face's depth plane. Steps the edges. False where more faces
+  // cover a pixel than the overlap set holds: from there on spans of several faces are left out. again(ActiveEdge&,
+  // line) begins a tall edge again; false where it has ended, and for every other edge. plane.nearest(const
+  // OverlapSet&, PlaneCache&) is the face that is nearer than every other one wherever both are, or 0 where that takes
+  // planes; plane.nearer(FaceId, FaceId, left, right, PlaneCache&) likewise of two, over these columns.
   template <typename Sink, typename Plane, typename Again>
   bool walk(std::int32_t line, const Sink& sink, const Plane& plane, const Again& again);
 
@@ -185,7 +185,15 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
   WalkStop stop = sink.start(walk);
   if (goes_on(stop)) stop = go_on(stop, line, sink, plane, again);
   if (stop == WalkStop::side) {
-    cut_off(line, sink, plane, again);
+    if constexpr (requires { sink.rest(walk.left); }) {
+      if (walk.is_through()) [[likely]] {
+        sink.rest(walk.left);
+      } else {
+        cut_off(line, sink, plane, again);
+      }
+    } else {
+      cut_off(line, sink, plane, again);
+    }
     walk.end_line();
   }
   return !overlap_.overflow();

@@ -41,6 +41,8 @@ struct LineWalk {
     key = 0;
     furthest = INT32_MIN;
   }
+  // Whether nothing lies right of the column come to.
+  bool is_through() const { return key == 0 && edge->x == ActiveEdge::kNever && other->x == ActiveEdge::kNever; }
   // The next line's edges become the line's.
   void end_line() {
     std::swap(now, begin);

@@ -1,6 +1,7 @@
 #include "frames/prepare.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -58,20 +59,26 @@ Expected draw(const CompiledScene& scene, std::uint16_t point_lines, std::uint32
   return seen;
 }
 
-// What a frame in bands and its stack take on an M0+. Where faces overlap the stack is deeper.
-std::uint32_t frame_and_stack(const Budget& budget, bool overlaps) {
-  const std::uint32_t frame = budget.gouraud ? 496 : 440, stack = overlaps ? 776 : 524, of_any_scene = 72;
-  return frame + stack + (budget.plain ? 0 : of_any_scene);
+// What a frame and its stack take on an M0+. Where faces overlap the stack is deeper, deepest where exact planes are
+// made of large or narrow ones.
+std::uint32_t frame_and_stack(const Budget& budget, bool whole, bool overlaps) {
+  if (whole) return (budget.plain ? 756u : 804u) + (overlaps ? 988u : 572u);
+  return (budget.gouraud ? 492u : 436u) + (budget.plain ? 0u : 48u) + (overlaps ? 964u : 488u);
 }
 
-// The budget that draws the scene in so many bytes, with two line buffers where it is whole then, else with one.
+// The budget that draws the scene in so many bytes, with two line buffers if it can be whole then, else with one.
 std::pair<Budget, unsigned> within(CompiledScene& scene, const Budget& fitted, std::uint32_t memory, bool overlaps) {
-  const std::uint32_t stack = frame_and_stack(fitted, overlaps);
   const std::uint32_t line = bytes_per_line(fitted.format, fitted.width);
-  for (const unsigned lines : {2u, 1u}) {
-    if (fitted.walker != Walker::edges || fitted.patch_grid != 0 || memory < stack + lines * line) continue;
-    const std::optional<Budget> budget = shrunk_budget(scene, 0, 0, fitted, memory - stack - lines * line);
-    if (budget && (lines == 1 || budget->band_vertices == 0)) return {*budget, lines};
+  const auto left = [&](bool whole, unsigned lines) {
+    const std::uint32_t rest = frame_and_stack(fitted, whole, overlaps) + lines * line;
+    return memory < rest ? 0 : memory - rest;
+  };
+  if (fitted.walker == Walker::edges && fitted.patch_grid == 0) {
+    for (const unsigned lines : {2u, 1u}) {
+      if (whole_bytes(fitted) <= left(true, lines)) return {fitted, lines};
+    }
+    const std::uint32_t of_bands = std::min(left(false, 1), whole_bytes(fitted) - 1);
+    if (const auto budget = shrunk_budget(scene, 0, 0, fitted, of_bands)) return {*budget, 1u};
   }
   throw InputError(scene.description().place, "cannot be drawn in " + std::to_string(memory) + " bytes");
 }
