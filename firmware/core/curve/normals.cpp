@@ -17,6 +17,7 @@ constexpr int kDirectionBits = Vector::kBits;  // of a tangent
 Vector operator-(const Vector& a, const Vector& b) { return {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2]}}; }
 Vector operator-(const Vector& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
 Vector difference(const Position& a, const Position& b) { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
+
 // Cuts vectors off to at most `bits` bits by a common exponent; they are never made longer.
 template <std::size_t N>
 void shorten(Vector (&vectors)[N], int bits) {

@@ -185,15 +185,13 @@ bool EdgeWalker::walk(std::int32_t line, const Sink& sink, const Plane& plane, c
   WalkStop stop = sink.start(walk);
   if (goes_on(stop)) stop = go_on(stop, line, sink, plane, again);
   if (stop == WalkStop::side) {
+    bool through = false;
     if constexpr (requires { sink.rest(walk.left); }) {
-      if (walk.is_through()) [[likely]] {
+      through = walk.is_through();
+      if (through) [[likely]]
         sink.rest(walk.left);
-      } else {
-        cut_off(line, sink, plane, again);
-      }
-    } else {
-      cut_off(line, sink, plane, again);
     }
+    if (!through) cut_off(line, sink, plane, again);
     walk.end_line();
   }
   return !overlap_.overflow();

@@ -30,8 +30,7 @@ constexpr std::array kParts = {kWalk, kOverlap, kDepth, kEdges, kBrightness, kPl
 // The first that has a mark of the section's name or of its object file; what none has is the rest.
 const std::array kRules = {
     Rule{kOverlap,
-         {"15resolve_overlap", "12front_of_set", "14gather_overlap", "7cut_off", "10OverlapSet", "6Column",
-          "15DepthComparator"}},
+         {"15resolve_overlap", "12front_of_set", "14gather_overlap", "7cut_off", "10OverlapSet", "15DepthComparator"}},
     Rule{kDepth, {"depth.cpp", "depth_reaches.cpp", "depth_rows.cpp", "gradient.cpp", "rare_div.cpp", "10PlaneCache"}},
     Rule{kEdges, {"fan_start", "mesh_walker.cpp", "active_edge.cpp", "vertex_buckets.cpp", "edge_walker.cpp"}},
     Rule{kBrightness, {"9make_look", "7turn_to", "10learn_look", "3dip", "brightness.cpp", "look_chains.cpp"}},
