@@ -42,6 +42,7 @@ void project_vertex(benchmark::State& state) {
   camera.focal = Fx12::from_int(290);
   camera.near_plane = Fx16::from_int(1);
   camera.far_plane = Fx16::from_int(9);
+  camera.focal = Fx12::from_int(290);
   const Projection projection(camera, kScreen);
   const ClipRow x(matrix, 0), y(matrix, 1), w(matrix, 2);
   while (state.KeepRunning()) {
@@ -142,7 +143,8 @@ void dice_patch(benchmark::State& state) {
   CameraRecord camera{};
   camera.near_plane = Fx16::from_int(1);
   camera.far_plane = Fx16::from_int(9);
-  const DiceView view(Projection(camera, kScreen), kScreen, 8);
+  camera.focal = Fx12::from_int(290);
+  const DiceView view(camera, kScreen, 8);
   std::vector<ClipPoint> above(kMaxSteps + 1), below(kMaxSteps + 1);
   const auto row = [](std::vector<ClipPoint>& points) {
     return Slice<ClipPoint>(points.data(), static_cast<std::uint32_t>(points.size()));

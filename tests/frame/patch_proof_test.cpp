@@ -98,7 +98,7 @@ void compare_views(std::uint16_t width, std::uint16_t height, std::initializer_l
 }
 
 TEST(PatchProof, HalfAPixelAt320x240) { compare_views(320, 240, {kHalf, kPoints}, scene_count(20, 1000)); }
-TEST(PatchProof, HalfAPixelAt480x320) { compare_views(480, 320, {kHalf, kPoints}, scene_count(8, 1000)); }
+TEST(PatchProof, HalfAPixelAt480x320) { compare_views(480, 320, {kHalf, kPoints}, scene_count(20, 1000)); }
 TEST(PatchProof, AQuarterOfAPixelAt320x240) { compare_views(320, 240, {kQuarter}, scene_count(8, 1000)); }
 TEST(PatchProof, AQuarterOfAPixelAt480x320) { compare_views(480, 320, {kQuarter}, scene_count(4, 1000)); }
 

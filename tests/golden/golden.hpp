@@ -40,8 +40,8 @@ inline constexpr Picture kPictures[] = {
     {"house-oled-180", demos::house, 180, kOled, 0xcd37c41f},
     {"panes-wide-30", demos::panes, 30, kWide, 0x3450a3c7},
     {"panes-mono-0", demos::panes, 0, kMono, 0x1b620eb6},
-    {"patches-oled-60", demos::patches, 60, kOled, 0x09654014},
-    {"patches-mono-150", demos::patches, 150, kMono, 0x734ea44a},
+    {"patches-oled-60", demos::patches, 60, kOled, 0x4c1215a1},
+    {"patches-mono-150", demos::patches, 150, kMono, 0xaae94232},
 };
 
 // Holds every one of them, in 64 KB together with the stack; less than that many vertices are kept.

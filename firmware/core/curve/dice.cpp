@@ -1,25 +1,11 @@
 #include "core/curve/dice.hpp"
 
+#include "core/curve/seen_curve.hpp"
+
 namespace spanline {
 namespace {
 
-// The number of steps that all curves between four control curves of a patch can do with: the first and the last of
-// them, and those that halving the patch between them leaves, which are nearer to it than the inner two.
-std::uint32_t steps_between(CurveBend (&c)[4], const PlaceBounds& bounds, const DiceView& view) {
-  Bend most = c[0].bend(bounds);
-  most.widen(c[3].bend(bounds));
-  Bend all = most;
-  all.widen(c[1].bend(bounds));
-  all.widen(c[2].bend(bounds));
-  const std::uint32_t least = most.steps(view);
-  if (all.steps(view) == least) return least;
-  for (int curves = 3; curves > 0; --curves) {  // de Casteljau
-    for (int i = 0; i < curves; ++i) c[i].go_halfway(c[i + 1]);
-    most.widen(c[0].bend(bounds));
-    if (curves > 1) most.widen(c[curves - 1].bend(bounds));
-  }
-  return most.steps(view);
-}
+std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
 
 // Either direction of a patch.
 struct Direction {
@@ -28,30 +14,37 @@ struct Direction {
   int stride, next;  // from point to point of a curve, and from curve to curve
 
   const ClipPoint* first_of(int curve) const { return &patch.at[0][0] + curve * next; }
+  const ScreenXY* place_of(int curve) const { return &places[0][0] + curve * next; }
+  SeenCurve seen(int curve) const { return {first_of(curve), place_of(curve), stride}; }
+
   // Of the first or the last curve, by itself: as curve_steps(). Widens what reaches are passed.
-  // Not inline: what it keeps is off the stack again when inner curves are looked at.
-  [[gnu::noinline]] PatchSide side(int curve, const DiceView& view, CurveReach& all) const {
+  PatchSide side(int curve, std::uint32_t square_of_steps, CurveReach& all) const {
     const CurveReach reach(first_of(curve), stride);
     all.widen(reach);
-    PackedBox box;
-    const ScreenXY* place = &places[0][0] + curve * next;
-    for (int i = 0; i < 4; ++i, place += stride) box.widen(PackedXY(*place));
-    const PlaceBounds own(box, view);
-    const std::uint32_t steps =
-        CurveBend(first_of(curve), stride, own, reach.beyond_27_bits(), view).bend(own).steps(view);
+    const std::uint32_t steps = steps_of(square_of_steps);
     return {steps, reach.scale(steps)};
   }
-  std::uint32_t steps(const PlaceBounds& bounds, int down, const DiceView& view) const {
-    const auto bend = [&](int i) { return CurveBend(first_of(i), stride, bounds, down, view); };
-    CurveBend bends[4] = {bend(0), bend(1), bend(2), bend(3)};
-    return steps_between(bends, bounds, view);
+  PatchSide side(int curve, const DiceView& view, CurveReach& all) const {
+    return side(curve, square_of_steps(first_of(curve), place_of(curve), stride, view), all);
+  }
+  // Of the curves a quarter of the way from either side, and both sides', where SeenCurve is for them.
+  [[gnu::noinline]] std::uint32_t steps(const DiceView& view, PatchSide& first_side, PatchSide& last_side,
+                                        CurveReach& all) const {
+    const SeenCurve first = seen(0), second = seen(1), third = seen(2), last = seen(3);
+    first_side = side(0, first.square_of_steps(view), all);
+    last_side = side(3, last.square_of_steps(view), all);
+    return steps_of(larger(SeenCurve::quarter_way(first, second, third, last).square_of_steps(view),
+                           SeenCurve::quarter_way(last, third, second, first).square_of_steps(view)));
+  }
+  // That all curves can do with.
+  std::uint32_t steps_at_most(const PlaceBounds& bounds, int down, const DiceView& view) const {
+    std::uint32_t square = 0;
+    for (int i = 0; i < 4; ++i) {
+      square = larger(square, square_of_steps_at_most(first_of(i), stride, bounds, down, view));
+    }
+    return steps_of(square);
   }
 };
-
-std::uint32_t most(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  const std::uint32_t ab = a > b ? a : b;
-  return ab > c ? ab : c;
-}
 
 }  // namespace
 
@@ -68,22 +61,26 @@ PatchDicer::PatchDicer(const ClipPatch& patch, const ScreenXY (&projected)[4][4]
 
 void PatchDicer::find_steps(const ScreenXY (&places)[4][4], const DiceView& view) {
   const Direction along{*patch_, places, 1, 4}, across{*patch_, places, 4, 1};
+  SeenPlaces seen;
+  for (int i = 0; i < 16; ++i) seen.widen(places[i / 4][i % 4], patch_->at[i / 4][i % 4].w);
   CurveReach whole;
-  first_ = along.side(0, view, whole);
-  last_ = along.side(3, view, whole);
-  left_ = across.side(0, view, whole);
-  right_ = across.side(3, view, whole);
   for (int i = 1; i < 3; ++i) {
     for (int j = 1; j < 3; ++j) whole.widen(patch_->at[i][j]);
   }
-  PackedBox box;
-  for (const auto& row : places) {
-    for (const ScreenXY& place : row) box.widen(PackedXY(place));
+  if (seen.allow(view)) {
+    columns_ = along.steps(view, first_, last_, whole);
+    rows_ = across.steps(view, left_, right_, whole);
+  } else {
+    first_ = along.side(0, view, whole);
+    last_ = along.side(3, view, whole);
+    left_ = across.side(0, view, whole);
+    right_ = across.side(3, view, whole);
+    const PlaceBounds bounds(seen.places, view);
+    columns_ = along.steps_at_most(bounds, whole.beyond_27_bits(), view);
+    rows_ = across.steps_at_most(bounds, whole.beyond_27_bits(), view);
   }
-  const PlaceBounds bounds(box, view);
-  const int down = whole.beyond_27_bits();
-  columns_ = most(along.steps(bounds, down, view), first_.own, last_.own);
-  rows_ = most(across.steps(bounds, down, view), left_.own, right_.own);
+  columns_ = larger(columns_, larger(first_.own, last_.own));
+  rows_ = larger(rows_, larger(left_.own, right_.own));
   inner_ = {whole.scale(columns_), whole.scale(rows_)};
   const auto start = [this](int j, std::uint32_t steps, const CurveScale& scale, PointWalk<std::int32_t>& walk) {
     const auto& p = patch_->at;

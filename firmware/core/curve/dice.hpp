@@ -34,7 +34,7 @@ struct GridRow {
 };
 
 // Steps a patch off as a grid of vertices, row by row. Its rows and columns have as many steps as the most curved of
-// its four rows and of its four columns of control points need; on each side the vertices are the side's own
+// those along its sides and a quarter of the way between them need, which are near enough to all others; on each side the vertices are the side's own
 // (GridSide), which depend on the side's four control points alone.
 class PatchDicer {
  public:

@@ -12,7 +12,7 @@ namespace spanline {
 class OutlineReader {
  public:
   OutlineReader(const FacetReader& reader, const Screen& screen)
-      : reader_(reader), view_(reader.projection(), screen, kTolerance) {
+      : reader_(reader), view_(reader.camera(), screen, kTolerance) {
     if (reader.on_screen()) view_.near_w = kScreenDistance;
   }
 

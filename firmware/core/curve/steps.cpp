@@ -2,40 +2,18 @@
 
 #include <bit>
 
-#include "core/fx/root.hpp"
+#include "core/curve/seen_curve.hpp"
+#include "core/fx/length.hpp"
 
 namespace spanline {
 namespace {
 
-constexpr int kProjectedBits = 14;  // of a place in 28.4 px, in guard bands
-
-std::uint32_t magnitude(std::int32_t v) { return static_cast<std::uint32_t>(v < 0 ? -v : v); }
 std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
-
-// At least the length of (a, b), and at most 1.02 of it: the norm of a polygon of 16 corners on the circle. a, b <
-// 2^30.
-std::uint32_t length_at_most(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t most = larger(a, b), least = a ^ b ^ most;
-  return larger(most + (least >> 6) * 13 + 13, most - (most >> 6) * 10 + (least >> 6) * 37 + 37);
-}
 
 }  // namespace
 
-ScreenXY place_on_screen(const ClipPoint& p, const DiceView& view) {
-  if (p.w < view.near_w || p.w <= 0) return kNotProjected;
-  const auto w = static_cast<std::uint32_t>(p.w);
-  const int up = std::countl_zero(w) - 1;
-  const auto inverse = static_cast<std::int32_t>(reciprocal_normalised(w << up));  // of 2^61
-  const auto place = [&](std::int32_t v, std::int32_t centre) {
-    constexpr std::int32_t kBorder = kGuardPx * kSubpixels;
-    const std::int32_t off = magnitude(v) >= w ? (v < 0 ? -kBorder : kBorder)
-                                               : shift_round(mul_high(v * (1 << up), inverse), 29 - kProjectedBits);
-    return static_cast<std::int16_t>(centre + off);
-  };
-  return {place(p.x, view.centre_x), place(p.y, view.centre_y)};
-}
-
 PlaceBounds::PlaceBounds(const PackedBox& places, const DiceView& view) {
+  constexpr int kProjectedBits = 14;  // of a place in 28.4 px, in guard bands
   static_assert(kGuardPx * kSubpixels == 1 << kProjectedBits);
   constexpr int kUp = 31 - kProjectedBits;
   // Half a unit of a projected point; the reciprocal's 2^-25 of one.
@@ -52,73 +30,76 @@ PlaceBounds::PlaceBounds(const PackedBox& places, const DiceView& view) {
   y = range(places.low.y(), places.high.y(), view.centre_y);
 }
 
-std::uint32_t Bend::steps(const DiceView& view) const {
-  // The least n with n * n >= bend * kBend / (nearest * tolerance), of which 18 bits and more are kept.
+namespace {
+
+// bend / nearest is how far a curve's second differences bend it on the screen, in guard bands. bend < 2^31, nearest
+// from 1 to 2^31.
+std::uint32_t square_of(std::uint32_t bend, std::uint32_t nearest, std::uint32_t tolerance) {
+  // The least square that is bend * kBend / (nearest * tolerance) or more, of which 18 bits and more are kept.
   constexpr std::uint32_t kBend = 6 * kGuardPx * kSubpixels / 8;
   static_assert(kMaxSteps * kMaxSteps == 1 << 12, "so the dividend has 12 bits more than the divisor");
-  std::uint64_t whole = std::uint64_t{bend} * kBend, part = std::uint64_t{nearest} * view.tolerance;
-  if (whole >= part << 12) return kMaxSteps;
+  std::uint64_t whole = std::uint64_t{bend} * kBend, part = std::uint64_t{nearest} * tolerance;
+  if (whole >= part << 12) return kMaxSteps * kMaxSteps;
   const int excess = static_cast<int>(std::bit_width(part)) - 19;
   if (excess > 0) {
     whole >>= excess;
     part >>= excess;
   }
   const auto divisor = static_cast<std::uint32_t>(part);
-  const std::uint32_t square = (static_cast<std::uint32_t>(whole) + divisor - 1) / divisor;
-  return square <= 1 ? 1 : square_root(square - 1) + 1;
+  return (static_cast<std::uint32_t>(whole) + divisor - 1) / divisor;
 }
 
-CurveBend::CurveBend(const ClipPoint* p, int stride, const PlaceBounds& bounds, int down, const DiceView& view) {
-  const ClipPoint &p0 = p[0], &p1 = p[stride], &p2 = p[2 * stride], &p3 = p[3 * stride];
-  struct Pair {
-    std::int32_t first, second;  // differences, of 29 bits
+// The length of a second difference on the screen where it is the most.
+std::uint32_t off_screen_place(std::int32_t x, std::int32_t y, std::int32_t w, const PlaceBounds& bounds) {
+  constexpr std::int32_t kCutOff = 3;  // by add_high()
+  // Of d - p * w the most is where p is at that end of its bounds that adds to what it is in the middle.
+  const auto most = [w](std::int32_t d, const PlaceBounds::Range& p) {
+    const std::int32_t middle = add_high(2 * w, p.middle, d);
+    return static_cast<std::uint32_t>(add_high(2 * (w ^ w >> 31) + 1, p.half, (middle ^ middle >> 31) + kCutOff));
   };
-  const auto second = [](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
-    return Pair{a - 2 * b + c, b - 2 * c + d};
-  };
-  const std::int32_t w0 = p0.w >> down, w1 = p1.w >> down, w2 = p2.w >> down, w3 = p3.w >> down;
-  const std::int32_t near_w = view.near_w >> down;
-  const auto less = [](std::int32_t a, std::int32_t b) { return a < b ? a : b; };
-  const std::int32_t nearest = less(less(w0, w1), less(w2, w3));
-  nearest_ = nearest < near_w ? near_w : nearest;
-  if (nearest_ < 1) nearest_ = 1;
-  const Pair w = second(w0, w1, w2, w3);
-  const Pair x = second(p0.x >> down, p1.x >> down, p2.x >> down, p3.x >> down);
-  const Pair y = second(p0.y >> down, p1.y >> down, p2.y >> down, p3.y >> down);
-  const auto off = [&bounds](std::int32_t dx, std::int32_t dy, std::int32_t twice_dw) {
-    return Off{add_high(twice_dw, bounds.x.middle, dx), add_high(twice_dw, bounds.y.middle, dy), twice_dw};
-  };
-  off_[0] = off(x.first, y.first, 2 * w.first);
-  off_[1] = off(x.second, y.second, 2 * w.second);
+  constexpr int kDown = 5;
+  return length_at_most((most(x, bounds.x) >> kDown) + 1, (most(y, bounds.y) >> kDown) + 1) << kDown;
 }
 
-void CurveBend::go_halfway(const CurveBend& other) {
-  const auto go = [](std::int32_t& from, std::int32_t to) { from = (from + to) >> 1; };
+}  // namespace
+
+std::uint32_t square_of_steps_at_most(const ClipPoint* p, int stride, const PlaceBounds& bounds, int down,
+                                      const DiceView& view) {
+  std::uint32_t bend = 0;
   for (int i = 0; i < 2; ++i) {
-    go(off_[i].x, other.off_[i].x);
-    go(off_[i].y, other.off_[i].y);
-    go(off_[i].w, other.off_[i].w);
+    const ClipPoint &a = p[i * stride], &b = p[(i + 1) * stride], &c = p[(i + 2) * stride];
+    const auto second = [&](std::int32_t ClipPoint::*axis) {
+      return (a.*axis >> down) - 2 * (b.*axis >> down) + (c.*axis >> down);  // of 29 bits
+    };
+    bend = larger(bend, off_screen_place(second(&ClipPoint::x), second(&ClipPoint::y), second(&ClipPoint::w), bounds));
   }
-  go(nearest_, other.nearest_);
+  std::int32_t nearest = INT32_MAX;
+  for (int i = 0; i < 4; ++i) nearest = p[i * stride].w < nearest ? p[i * stride].w : nearest;
+  nearest = (nearest < view.near_w ? view.near_w : nearest) >> down;
+  return square_of(bend, nearest < 1 ? 1u : static_cast<std::uint32_t>(nearest), view.tolerance);
 }
 
-Bend CurveBend::bend(const PlaceBounds& bounds) const {
-  constexpr std::int32_t kCutOff = 6;  // by add_high(), by go_halfway() three times over, and here
-  // Of d - p * d.w the most is where p is at that end of its bounds that adds to what it is in the middle.
-  const auto most = [](std::int32_t d, std::int32_t w, std::int32_t half) {
-    return static_cast<std::uint32_t>(add_high(w ^ w >> 31, half, (d ^ d >> 31) + kCutOff));
-  };
-  const auto length = [&](const Off& d) {
-    return length_at_most(most(d.x, d.w, bounds.x.half), most(d.y, d.w, bounds.y.half));
-  };
-  return {larger(length(off_[0]), length(off_[1])), static_cast<std::uint32_t>(nearest_)};
+std::uint32_t steps_of(std::uint32_t square) {
+  std::uint32_t steps = 1;
+  while (steps * steps < square && steps < kMaxSteps) ++steps;
+  return steps;
+}
+
+std::uint32_t square_of_steps(const ClipPoint* p, const ScreenXY* at, int stride, const DiceView& view) {
+  SeenPlaces seen;
+  CurveReach reach;
+  for (int i = 0; i < 4; ++i) {
+    seen.widen(at[i * stride], p[i * stride].w);
+    reach.widen(p[i * stride]);
+  }
+  if (seen.allow(view)) return SeenCurve(p, at, stride).square_of_steps(view);
+  return square_of_steps_at_most(p, stride, PlaceBounds(seen.places, view), reach.beyond_27_bits(), view);
 }
 
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view) {
-  PackedBox places;
-  for (const ClipPoint& point : p) places.widen(PackedXY(place_on_screen(point, view)));
-  const PlaceBounds bounds(places, view);
-  return CurveBend(p, 1, bounds, CurveReach(p).beyond_27_bits(), view).bend(bounds).steps(view);
+  ScreenXY at[4];
+  for (int i = 0; i < 4; ++i) at[i] = place_on_screen(p[i], view);
+  return steps_of(square_of_steps(p, at, 1, view));
 }
 
 }  // namespace spanline

@@ -89,7 +89,7 @@ class PatchGrids {
   bool dice(const PatchJob& job, const FacetLight& light, std::uint16_t face);
   // Whether dice() is for it: otherwise some control point lies outside of the view, or at its very border.
   static bool takes(const PatchJob& job) { return job.well_inside; }
-  DiceView view(const Projection& projection) const { return {projection, screen_, tolerance_}; }
+  DiceView view(const CameraRecord& camera) const { return {camera, screen_, tolerance_}; }
 
   std::uint32_t most() const { return most_; }  // entries in use at once, since begin_frame()
   void begin_frame() { most_ = 0; }

@@ -221,7 +221,7 @@ Status PatchLines<kTaps, kPaint>::dice(std::uint16_t face, const LightRig& rig, 
     if (!PatchGrids::takes(job)) {
       return {Code::bad_record, "InstanceRecord", "transform (beyond the view)", reader_.instance_index()};
     }
-    PatchDicer dicer = job.make_dicer(grids_.view(reader_.projection()));
+    PatchDicer dicer = job.make_dicer(grids_.view(camera_));
     job.dicer = &dicer;
     if (grids_.dice(job, light, face)) return {};
     const std::int32_t lines = grids_.bottom() - top_;

@@ -54,7 +54,7 @@ bool PatchSource::lacks_vertices(std::uint32_t count) {
 bool PatchSource::dice(const FacetReader& reader, const PatchLook& look) {
   PatchJob job(reader, look, {top_, bottom_, screen_.width});
   if (job.nothing) return true;
-  PatchDicer dicer = job.make_dicer(DiceView(reader.projection(), screen_, p_.tolerance));
+  PatchDicer dicer = job.make_dicer(DiceView(reader.camera(), screen_, p_.tolerance));
   job.dicer = &dicer;
   const PatchTangents tangents = job.tangents_of_corners();
   job.tangents = &tangents;

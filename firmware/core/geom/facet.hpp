@@ -58,6 +58,7 @@ class FacetReader {
   const MeshRecord& mesh() const { return scene_->meshes[instance().mesh]; }
   // The last face of the current instance.
   std::uint16_t last_face() const { return static_cast<std::uint16_t>(first_face_ + mesh().face_count - 1); }
+  const CameraRecord& camera() const { return *camera_; }
   const Projection& projection() const { return projection_; }
   const ClipMatrix& matrix() const { return matrix_; }
   bool mirrored() const { return !on_screen() && mirrored_; }

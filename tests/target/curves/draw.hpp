@@ -26,15 +26,15 @@ struct CurvedPicture {
 
 inline constexpr CurvedPicture kCurves[] = {
     {"wire", &wire::scene, &wire::camera, 0xdadaa60f},
-    {"dial", &dial::scene, &dial::camera, 0x8e932461},
-    {"glyphs", &glyphs::scene, &glyphs::camera, 0x6c08a1a0},
+    {"dial", &dial::scene, &dial::camera, 0xeb211d94},
+    {"glyphs", &glyphs::scene, &glyphs::camera, 0x697c932f},
 };
 inline constexpr CurvedPicture kPatches[] = {
-    {"patches", &patches::scene, &patches::camera, 0xd6a7d670},
-    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x5e0d2d1e},
+    {"patches", &patches::scene, &patches::camera, 0x88f582b3},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x37d17c7e},
 };
 inline constexpr CurvedPicture kSmoothPatches[] = {
-    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0x8a85ebd1}};
+    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe84609ae}};
 
 // Each holds all of its pictures.
 inline constexpr Budget kCurvesBudget{.facets = 16,

@@ -1,0 +1,57 @@
+#include "core/curve/seen_curve.hpp"
+
+#include <bit>
+
+#include "core/fx/length.hpp"
+
+namespace spanline {
+namespace {
+
+std::uint32_t greater(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
+std::uint32_t magnitude(std::int32_t v) { return static_cast<std::uint32_t>(v < 0 ? -v : v); }
+
+}  // namespace
+
+bool SeenPlaces::allow(const DiceView& view) const {
+  constexpr std::int32_t kBorder = kGuardPx * kSubpixels;
+  if (nearest < view.near_w || nearest <= 0 || farthest - nearest > nearest >> 1) return false;
+  return places.low.x() > view.centre_x - kBorder && places.high.x() < view.centre_x + kBorder &&
+         places.low.y() > view.centre_y - kBorder && places.high.y() < view.centre_y + kBorder;
+}
+
+SeenCurve::SeenCurve(const ClipPoint* p, const ScreenXY* at, int stride) {
+  const PackedXY a(at[0]), b(at[stride]), c(at[2 * stride]), d(at[3 * stride]);
+  second_[0] = {a.x() - 2 * b.x() + c.x(), a.y() - 2 * b.y() + c.y()};
+  second_[1] = {b.x() - 2 * c.x() + d.x(), b.y() - 2 * c.y() + d.y()};
+  for (int i = 0; i < 4; ++i) w_[i] = p[i * stride].w;
+}
+
+SeenCurve SeenCurve::quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d) {
+  const auto blend = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t s) {
+    return 27 * (p + q) + 9 * r + s;
+  };
+  SeenCurve between;
+  for (int i = 0; i < 2; ++i) {
+    const auto second = [&](std::int32_t Second::*axis) {
+      return blend(a.second_[i].*axis, b.second_[i].*axis, c.second_[i].*axis, d.second_[i].*axis) >> 6;
+    };
+    between.second_[i] = {second(&Second::x), second(&Second::y)};
+  }
+  for (int i = 0; i < 4; ++i) between.w_[i] = blend(a.w_[i] >> 6, b.w_[i] >> 6, c.w_[i] >> 6, d.w_[i] >> 6);
+  return between;
+}
+
+std::uint32_t SeenCurve::square_of_steps(const DiceView& view) const {
+  const auto w = [this](int i) { return static_cast<std::uint32_t>(w_[i]); };
+  constexpr int kBits = 14;  // of w, so that it is multiplied in 32 bits
+  const int excess = 32 - kBits - std::countl_zero(w(0) | w(1) | w(2) | w(3)), down = excess > 0 ? excess : 0;
+  const auto bend = [&](const Second& d, int end, int next, int farther) {
+    const std::uint32_t from = w(end) >> down, to = w(farther) >> down;
+    const std::uint32_t ahead = magnitude(static_cast<std::int32_t>(from + to - 2 * (w(next) >> down)));
+    return greater(length_at_most(magnitude(d.x), magnitude(d.y)), ahead * view.depth / from) * to / from;
+  };
+  const std::uint32_t most = greater(bend(second_[0], 0, 1, 2), bend(second_[1], 3, 2, 1)) + 1;  // places are rounded
+  return (3 * most + 4 * view.tolerance - 1) / (4 * view.tolerance);
+}
+
+}  // namespace spanline
