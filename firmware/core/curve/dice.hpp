@@ -34,8 +34,8 @@ struct GridRow {
 };
 
 // Steps a patch off as a grid of vertices, row by row. Its rows and columns have as many steps as the most curved of
-// those along its sides and a quarter of the way between them need, which are near enough to all others; on each side the vertices are the side's own
-// (GridSide), which depend on the side's four control points alone.
+// those along its sides and a quarter of the way between them need, which are near enough to all others; on each side
+// the vertices are the side's own (GridSide), which depend on the side's four control points alone.
 class PatchDicer {
  public:
   // `patch` must outlive the dicer.
