@@ -106,7 +106,7 @@ TEST(SeenCurve, AQuarterOfTheWayIsThatCurve) {
   Random random(4);
   for (int i = 0; i < oracle::rounds(5'000); ++i) {
     const DiceView view = any_view(random);
-    const std::int32_t nearest = random.between(1 << 16, 1 << 28);
+    const std::int32_t nearest = random.between(1 << 13, 1 << 14) << random.between(0, 16);
     std::array<Curve, 4> rows;
     for (Curve& row : rows) {
       row = any_curve(random);
@@ -123,10 +123,31 @@ TEST(SeenCurve, AQuarterOfTheWayIsThatCurve) {
           static_cast<std::int16_t>(std::lround(blend([&](const Curve& c) { return double(c.at[j].y); })))};
       between.p[j].w = static_cast<std::int32_t>(blend([&](const Curve& c) { return double(c.p[j].w); }));
     }
+    SeenPlaces places;
+    for (const Curve& row : rows) {
+      for (std::size_t j = 0; j < 4; ++j) places.widen(row.at[j], row.p[j].w);
+    }
     const auto seen = [&](std::size_t row) { return SeenCurve(rows[row].p.data(), rows[row].at.data(), 1); };
-    const double square = SeenCurve::quarter_way(seen(0), seen(1), seen(2), seen(3)).square_of_steps(view);
+    const double square =
+        SeenCurve::quarter_way(seen(0), seen(1), seen(2), seen(3), places.cut()).square_of_steps(view);
     const double off = (1.5 * 4 * view.depth / (1 << 13) + 5) * 0.75 / view.tolerance + 1;
     ASSERT_NEAR(square, between.square(view), off + square / 500) << "curve " << i;
+  }
+}
+
+TEST(SeenCurve, IsForWhateverIsBeforeTheNearPlane) {
+  const std::array<ScreenXY, 4> at{ScreenXY{0, 0}, {100, 0}, {200, 100}, {200, 200}};
+  CameraRecord camera{};
+  camera.near_plane = Fx16::from_raw(1);
+  camera.focal = Fx12::from_int(kMaxFocalPx);
+  const DiceView view(camera, Screen{320, 240, PixelFormat::rgb565}, 1);
+  for (const std::int32_t w : {1, 2, 3, 64, 1 << 13, 1 << 25, (1 << 25) + 1, INT32_MAX}) {
+    const std::array<ClipPoint, 4> p{ClipPoint{0, 0, w}, {0, 0, w}, {0, 0, w}, {0, 0, w}};
+    SeenPlaces places;
+    for (const ScreenXY& place : at) places.widen(place, w);
+    const SeenCurve curve(p.data(), at.data(), 1);
+    const SeenCurve between = SeenCurve::quarter_way(curve, curve, curve, curve, places.cut());
+    EXPECT_EQ(curve.square_of_steps(view), between.square_of_steps(view)) << w;
   }
 }
 

@@ -27,14 +27,15 @@ struct Direction {
   PatchSide side(int curve, const DiceView& view, CurveReach& all) const {
     return side(curve, square_of_steps(first_of(curve), place_of(curve), stride, view), all);
   }
-  // Of the curves a quarter of the way from either side, and both sides', where SeenCurve is for them.
-  [[gnu::noinline]] std::uint32_t steps(const DiceView& view, PatchSide& first_side, PatchSide& last_side,
+  // Of the curves a quarter of the way from either side, and both sides', where SeenCurve is for them; `cut`: as
+  // SeenPlaces says.
+  [[gnu::noinline]] std::uint32_t steps(const DiceView& view, int cut, PatchSide& first_side, PatchSide& last_side,
                                         CurveReach& all) const {
     const SeenCurve first = seen(0), second = seen(1), third = seen(2), last = seen(3);
     first_side = side(0, first.square_of_steps(view), all);
     last_side = side(3, last.square_of_steps(view), all);
-    return steps_of(larger(SeenCurve::quarter_way(first, second, third, last).square_of_steps(view),
-                           SeenCurve::quarter_way(last, third, second, first).square_of_steps(view)));
+    return steps_of(larger(SeenCurve::quarter_way(first, second, third, last, cut).square_of_steps(view),
+                           SeenCurve::quarter_way(last, third, second, first, cut).square_of_steps(view)));
   }
   // That all curves can do with.
   std::uint32_t steps_at_most(const PlaceBounds& bounds, int down, const DiceView& view) const {
@@ -68,8 +69,8 @@ void PatchDicer::find_steps(const ScreenXY (&places)[4][4], const DiceView& view
     for (int j = 1; j < 3; ++j) whole.widen(patch_->at[i][j]);
   }
   if (seen.allow(view)) {
-    columns_ = along.steps(view, first_, last_, whole);
-    rows_ = across.steps(view, left_, right_, whole);
+    columns_ = along.steps(view, seen.cut(), first_, last_, whole);
+    rows_ = across.steps(view, seen.cut(), left_, right_, whole);
   } else {
     first_ = along.side(0, view, whole);
     last_ = along.side(3, view, whole);

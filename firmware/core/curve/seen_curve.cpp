@@ -19,6 +19,8 @@ bool SeenPlaces::allow(const DiceView& view) const {
          places.low.y() > view.centre_y - kBorder && places.high.y() < view.centre_y + kBorder;
 }
 
+int SeenPlaces::cut() const { return farthest >> (31 - kQuarterBits) == 0 ? 0 : kQuarterBits; }
+
 SeenCurve::SeenCurve(const ClipPoint* p, const ScreenXY* at, int stride) {
   const PackedXY a(at[0]), b(at[stride]), c(at[2 * stride]), d(at[3 * stride]);
   second_[0] = {a.x() - 2 * b.x() + c.x(), a.y() - 2 * b.y() + c.y()};
@@ -26,18 +28,22 @@ SeenCurve::SeenCurve(const ClipPoint* p, const ScreenXY* at, int stride) {
   for (int i = 0; i < 4; ++i) w_[i] = p[i * stride].w;
 }
 
-SeenCurve SeenCurve::quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d) {
+SeenCurve SeenCurve::quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d,
+                                 int cut) {
+  constexpr int kQuarterBits = SeenPlaces::kQuarterBits;
   const auto blend = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t s) {
     return 27 * (p + q) + 9 * r + s;
   };
   SeenCurve between;
   for (int i = 0; i < 2; ++i) {
     const auto second = [&](std::int32_t Second::*axis) {
-      return blend(a.second_[i].*axis, b.second_[i].*axis, c.second_[i].*axis, d.second_[i].*axis) >> 6;
+      return blend(a.second_[i].*axis, b.second_[i].*axis, c.second_[i].*axis, d.second_[i].*axis) >> kQuarterBits;
     };
     between.second_[i] = {second(&Second::x), second(&Second::y)};
   }
-  for (int i = 0; i < 4; ++i) between.w_[i] = blend(a.w_[i] >> 6, b.w_[i] >> 6, c.w_[i] >> 6, d.w_[i] >> 6);
+  for (int i = 0; i < 4; ++i) {
+    between.w_[i] = blend(a.w_[i] >> cut, b.w_[i] >> cut, c.w_[i] >> cut, d.w_[i] >> cut) >> (kQuarterBits - cut);
+  }
   return between;
 }
 

@@ -29,14 +29,18 @@ struct SeenPlaces {
   // Whether SeenCurve is for curves with these control points: all are projected, inside the guard band, and none is
   // more than half as far again as another one. So it is for any of them, then.
   bool allow(const DiceView& view) const;
+
+  static constexpr int kQuarterBits = 6;  // that sums of four are greater by where a quarter of the way is found
+  // How many bits of w are to be cut off so that such a sum has 31.
+  int cut() const;
 };
 
 class SeenCurve {
  public:
   // The curve of every `stride`th point, of which `at` are the places.
   SeenCurve(const ClipPoint* p, const ScreenXY* at, int stride);
-  // The one a quarter of the way from the first to the last of four control curves.
-  static SeenCurve quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d);
+  // The one a quarter of the way from the first to the last of four control curves; `cut`: as SeenPlaces says.
+  static SeenCurve quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d, int cut);
 
   // The square of the number of steps, or more. The same for the curve run backwards.
   std::uint32_t square_of_steps(const DiceView& view) const;
