@@ -7,6 +7,14 @@ namespace {
 
 std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
 
+// A quarter of the way from the first to the last of four.
+ClipPoint quarter_way(const ClipPoint& a, const ClipPoint& b, const ClipPoint& c, const ClipPoint& d) {
+  const auto blend = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+    return static_cast<std::int32_t>((27 * (p + q) + 9 * r + s) >> 6);
+  };
+  return {blend(a.x, b.x, c.x, d.x), blend(a.y, b.y, c.y, d.y), blend(a.w, b.w, c.w, d.w)};
+}
+
 // Either direction of a patch.
 struct Direction {
   const ClipPatch& patch;
@@ -37,11 +45,17 @@ struct Direction {
     return steps_of(larger(SeenCurve::quarter_way(first, second, third, last, cut).square_of_steps(view),
                            SeenCurve::quarter_way(last, third, second, first, cut).square_of_steps(view)));
   }
-  // That all curves can do with.
-  std::uint32_t steps_at_most(const PlaceBounds& bounds, int down, const DiceView& view) const {
+  // Of the same two, where it is not.
+  [[gnu::noinline]] std::uint32_t steps_at_most(const PlaceBounds& bounds, int down, const DiceView& view) const {
     std::uint32_t square = 0;
-    for (int i = 0; i < 4; ++i) {
-      square = larger(square, square_of_steps_at_most(first_of(i), stride, bounds, down, view));
+    for (const bool last : {false, true}) {
+      ClipPoint between[4];
+      for (int i = 0; i < 4; ++i) {
+        const ClipPoint* const p = first_of(last ? 3 : 0) + i * stride;
+        const int to = last ? -next : next;
+        between[i] = quarter_way(p[0], p[to], p[2 * to], p[3 * to]);
+      }
+      square = larger(square, square_of_steps_at_most(between, 1, bounds, down, view));
     }
     return steps_of(square);
   }

@@ -30,11 +30,11 @@ inline constexpr CurvedPicture kCurves[] = {
     {"glyphs", &glyphs::scene, &glyphs::camera, 0x697c932f},
 };
 inline constexpr CurvedPicture kPatches[] = {
-    {"patches", &patches::scene, &patches::camera, 0x88f582b3},
-    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x37d17c7e},
+    {"patches", &patches::scene, &patches::camera, 0x9bfee82f},
+    {"patches from both sides", &patches_both_sides::scene, &patches_both_sides::camera, 0x24da16e2},
 };
 inline constexpr CurvedPicture kSmoothPatches[] = {
-    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xe84609ae}};
+    {"smooth patches", &smooth_patches::scene, &smooth_patches::camera, 0xda5dbc3f}};
 
 // Each holds all of its pictures.
 inline constexpr Budget kCurvesBudget{.facets = 16,
