@@ -38,6 +38,7 @@ constexpr Mode kHalf{"diced", host::Surface::dice, 8, 1.0, 20'000},
     kQuarter{"diced fine", host::Surface::dice, 4, 0.5, 20'000},
     kPoints{"points", host::Surface::points, 8, 1.0, 5'000};
 constexpr double kIdentity = 1.0;            // px, across and in depth
+constexpr std::size_t kChance = 4;           // pixels more, which only count where views are few
 constexpr std::size_t kPierced = 1'000'000;  // one pixel in so many may lie past a line of piercing by more
 
 struct Wrong {
@@ -93,7 +94,7 @@ void compare_views(std::uint16_t width, std::uint16_t height, std::initializer_l
   for (const Mode& mode : modes) {
     const Wrong& sum = sums[mode.name];
     EXPECT_LE(sum.pierced, sum.covered / kPierced) << mode.name << " of " << sum.covered;
-    EXPECT_LE(sum.identity, sum.covered / mode.identity) << mode.name << " of " << sum.covered;
+    EXPECT_LE(sum.identity, sum.covered / mode.identity + kChance) << mode.name << " of " << sum.covered;
   }
 }
 
