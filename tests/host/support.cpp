@@ -44,7 +44,7 @@ ToolRun run_tool(const std::vector<std::string>& arguments) {
 }
 
 TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "spanline-XXXXXX").string();
+  std::string pattern = (std::filesystem::temp_directory_path() / "spanline-").string() + std::string(6, 'X');
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   path_ = pattern;
 }

@@ -1,16 +1,15 @@
 #include "core/curve/dice.hpp"
 
 #include "core/curve/seen_curve.hpp"
+#include "core/fx/length.hpp"
 
 namespace spanline {
 namespace {
 
-std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
-
 // A quarter of the way from the first to the last of four.
 ClipPoint quarter_way(const ClipPoint& a, const ClipPoint& b, const ClipPoint& c, const ClipPoint& d) {
   const auto blend = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
-    return static_cast<std::int32_t>((27 * (p + q) + 9 * r + s) >> 6);
+    return static_cast<std::int32_t>(sum_quarter_way(p, q, r, s) >> kQuarterBits);
   };
   return {blend(a.x, b.x, c.x, d.x), blend(a.y, b.y, c.y, d.y), blend(a.w, b.w, c.w, d.w)};
 }

@@ -30,6 +30,9 @@ struct DiceView {
 static_assert(kMaxFocalPx <= 1 << 12 && kSubpixels == 16, "3/4 of the focal length in 28.4");
 static_assert(kGuardPx == 1 << 10 && kMaxExtent < (1 << 11) - 1, "reach, and a little more, is below one");
 
+inline constexpr int kProjectedBits = 14;  // of a place in 28.4 px, in guard bands
+static_assert(kGuardPx * kSubpixels == 1 << kProjectedBits);
+
 // Where a point is on the screen, 28.4 px; kNotProjected before the near plane.
 ScreenXY place_on_screen(const ClipPoint& p, const DiceView& view);
 inline constexpr ScreenXY kNotProjected{INT16_MIN, 0};

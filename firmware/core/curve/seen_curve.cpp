@@ -5,15 +5,9 @@
 #include "core/fx/length.hpp"
 
 namespace spanline {
-namespace {
-
-std::uint32_t greater(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
-std::uint32_t magnitude(std::int32_t v) { return static_cast<std::uint32_t>(v < 0 ? -v : v); }
-
-}  // namespace
 
 bool SeenPlaces::allow(const DiceView& view) const {
-  constexpr std::int32_t kBorder = kGuardPx * kSubpixels;
+  constexpr std::int32_t kBorder = 1 << kProjectedBits;
   if (nearest < view.near_w || nearest <= 0 || farthest - nearest > nearest >> 1) return false;
   return places.low.x() > view.centre_x - kBorder && places.high.x() < view.centre_x + kBorder &&
          places.low.y() > view.centre_y - kBorder && places.high.y() < view.centre_y + kBorder;
@@ -30,19 +24,17 @@ SeenCurve::SeenCurve(const ClipPoint* p, const ScreenXY* at, int stride) {
 
 SeenCurve SeenCurve::quarter_way(const SeenCurve& a, const SeenCurve& b, const SeenCurve& c, const SeenCurve& d,
                                  int cut) {
-  constexpr int kQuarterBits = SeenPlaces::kQuarterBits;
-  const auto blend = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t s) {
-    return 27 * (p + q) + 9 * r + s;
-  };
   SeenCurve between;
   for (int i = 0; i < 2; ++i) {
     const auto second = [&](std::int32_t Second::*axis) {
-      return blend(a.second_[i].*axis, b.second_[i].*axis, c.second_[i].*axis, d.second_[i].*axis) >> kQuarterBits;
+      return sum_quarter_way(a.second_[i].*axis, b.second_[i].*axis, c.second_[i].*axis, d.second_[i].*axis) >>
+             kQuarterBits;
     };
     between.second_[i] = {second(&Second::x), second(&Second::y)};
   }
   for (int i = 0; i < 4; ++i) {
-    between.w_[i] = blend(a.w_[i] >> cut, b.w_[i] >> cut, c.w_[i] >> cut, d.w_[i] >> cut) >> (kQuarterBits - cut);
+    between.w_[i] =
+        sum_quarter_way(a.w_[i] >> cut, b.w_[i] >> cut, c.w_[i] >> cut, d.w_[i] >> cut) >> (kQuarterBits - cut);
   }
   return between;
 }
@@ -54,9 +46,9 @@ std::uint32_t SeenCurve::square_of_steps(const DiceView& view) const {
   const auto bend = [&](const Second& d, int end, int next, int farther) {
     const std::uint32_t from = w(end) >> down, to = w(farther) >> down;
     const std::uint32_t ahead = magnitude(static_cast<std::int32_t>(from + to - 2 * (w(next) >> down)));
-    return greater(length_at_most(magnitude(d.x), magnitude(d.y)), ahead * view.depth / from) * to / from;
+    return larger(length_at_most(magnitude(d.x), magnitude(d.y)), ahead * view.depth / from) * to / from;
   };
-  const std::uint32_t most = greater(bend(second_[0], 0, 1, 2), bend(second_[1], 3, 2, 1)) + 1;  // places are rounded
+  const std::uint32_t most = larger(bend(second_[0], 0, 1, 2), bend(second_[1], 3, 2, 1)) + 1;  // places are rounded
   return (3 * most + 4 * view.tolerance - 1) / (4 * view.tolerance);
 }
 

@@ -4,7 +4,7 @@
 // second differences of the control points, which are taken as they lie on the screen. That leaves out perspective:
 // along what is nearer at one end t goes faster there, and f'' at the end is as much greater than its second difference
 // as the control point next but one is farther off. With none much farther off than another one this holds all along:
-// chords of the teapot are off by 1.05 of the tolerance at most, one in 4,000 by more than it.
+// chords of the teapot are off by 1.05 of the tolerance at most, one in 5,000 by more than it.
 //
 // What a chord is off along the line of sight is not seen, but moves the lines along which surfaces pierce each other:
 // second differences of w count, too (DiceView::depth).
@@ -15,6 +15,13 @@
 #include "core/curve/dice_view.hpp"
 
 namespace spanline {
+
+// What lies a quarter of the way from the first to the last of four, times 2^kQuarterBits.
+inline constexpr int kQuarterBits = 6;
+template <typename Int>
+constexpr Int sum_quarter_way(Int a, Int b, Int c, Int d) {
+  return 27 * (a + b) + 9 * c + d;
+}
 
 // Where control points are seen.
 struct SeenPlaces {
@@ -29,9 +36,7 @@ struct SeenPlaces {
   // Whether SeenCurve is for curves with these control points: all are projected, inside the guard band, and none is
   // more than half as far again as another one. So it is for any of them, then.
   bool allow(const DiceView& view) const;
-
-  static constexpr int kQuarterBits = 6;  // that sums of four are greater by where a quarter of the way is found
-  // How many bits of w are to be cut off so that such a sum has 31.
+  // How many bits of w are to be cut off so that sum_quarter_way() has 31.
   int cut() const;
 };
 

@@ -6,15 +6,8 @@
 #include "core/fx/length.hpp"
 
 namespace spanline {
-namespace {
-
-std::uint32_t larger(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
-
-}  // namespace
 
 PlaceBounds::PlaceBounds(const PackedBox& places, const DiceView& view) {
-  constexpr int kProjectedBits = 14;  // of a place in 28.4 px, in guard bands
-  static_assert(kGuardPx * kSubpixels == 1 << kProjectedBits);
   constexpr int kUp = 31 - kProjectedBits;
   // Half a unit of a projected point; the reciprocal's 2^-25 of one.
   constexpr std::int32_t kError = (1 << (kUp - 1)) + (1 << 8);
@@ -87,13 +80,10 @@ std::uint32_t steps_of(std::uint32_t square) {
 
 std::uint32_t square_of_steps(const ClipPoint* p, const ScreenXY* at, int stride, const DiceView& view) {
   SeenPlaces seen;
-  CurveReach reach;
-  for (int i = 0; i < 4; ++i) {
-    seen.widen(at[i * stride], p[i * stride].w);
-    reach.widen(p[i * stride]);
-  }
+  for (int i = 0; i < 4; ++i) seen.widen(at[i * stride], p[i * stride].w);
   if (seen.allow(view)) return SeenCurve(p, at, stride).square_of_steps(view);
-  return square_of_steps_at_most(p, stride, PlaceBounds(seen.places, view), reach.beyond_27_bits(), view);
+  const int down = CurveReach(p, stride).beyond_27_bits();
+  return square_of_steps_at_most(p, stride, PlaceBounds(seen.places, view), down, view);
 }
 
 std::uint32_t curve_steps(const ClipPoint (&p)[4], const DiceView& view) {
